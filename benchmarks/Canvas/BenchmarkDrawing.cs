@@ -26,7 +26,7 @@ public static class BenchmarkDrawing
             else AddOutline(entities, parts, middle, random, cell, count);
         }
 
-        var balance = new DrawingBalance(new Dictionary<string, int>(), 0, 0, [], [], new Dictionary<string, int>(), 0);
+        var balance = new ReadBalance(new Dictionary<string, int>(), 0, 0, [], [], new Dictionary<string, int>(), 0);
         return new Drawing("bench", 0, "", "", LengthUnit.AssumedMillimetres, s_layers, entities, parts, balance, []) { Curves = curves };
     }
 

@@ -54,8 +54,8 @@ public static class CanvasBenchmark
         IPictureLayer[] layers =
         [
             new PrimitiveLayer(scene.Store, palette, LinePen.Hairline),
-            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Selected], new LinePen(2.0)) { Only = selected },
-            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Engraved, CanvasTheme.Dark.Remaining], new LinePen(2.0)) { Done = selected.Length / 2 },
+            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Selected], new LinePen(2.0)) { EntityFilter = selected },
+            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Engraved, CanvasTheme.Dark.Remaining], new LinePen(2.0)) { FirstRemaining = selected.Length / 2 },
         ];
         Timed(output, segments, "with selection and path", () => PictureRenderer.Render(layers, view, Backdrop.For(view, CanvasTheme.Dark, grid: true), CancellationToken.None), _ => "all selected, as many moves as segments");
     }

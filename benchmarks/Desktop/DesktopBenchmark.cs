@@ -58,12 +58,12 @@ internal static class DesktopBenchmark
     public static void EndAfterFirstFrame(Window window) =>
         window.Opened += (_, _) => window.RequestAnimationFrame(_ => window.RequestAnimationFrame(_ =>
         {
-            TellFirstFrame();
+            ReportFirstFrame();
             window.Close();
         }));
 
     /// <summary>Writes the time from the start of the process to its first frame.</summary>
-    public static void TellFirstFrame()
+    public static void ReportFirstFrame()
     {
         using var self = Process.GetCurrentProcess();
         Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"first frame {(DateTime.Now - self.StartTime).TotalMilliseconds:0} ms"));

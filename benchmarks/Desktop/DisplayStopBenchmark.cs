@@ -22,31 +22,31 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
     {
         await using var controller = new SimulatedController(new SimulatorOptions());
         await using var wire = new WireTap(await controller.ListenTcpAsync(0, CancellationToken.None));
-        using var ear = new StopEar(wire);
-        using var keyboard = new FakedKeyboard();
+        using var ear = new StopListener(wire);
+        using var keyboard = new XTestKeyboard();
         await desk.Queue.RunAsync("CNCCONNECT", wire.Address);
-        await output.WriteLineAsync(StopEar.Head);
-        await MeasureAsync(StopPresses.Idle, ear, keyboard);
-        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
-        var redraw = new DispatcherTimer(TimeSpan.FromMilliseconds(1), DispatcherPriority.Render, (_, _) => window.Canvas.RefineAgain());
+        await output.WriteLineAsync(StopListener.Head);
+        await MeasureAsync(StopMeasurement.Idle, ear, keyboard);
+        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopMeasurement.Segments));
+        var redraw = new DispatcherTimer(TimeSpan.FromMilliseconds(1), DispatcherPriority.Render, (_, _) => window.Canvas.ForceRefine());
         redraw.Start();
-        await MeasureAsync(StopPresses.Redraws, ear, keyboard);
+        await MeasureAsync(StopMeasurement.Redraws, ear, keyboard);
         redraw.Stop();
         if (drawing is not null) await MeasureJobsAsync(drawing, ear, keyboard);
         await desk.Queue.RunAsync("CNCDISCONNECT");
     }
 
-    private async Task MeasureAsync(string what, StopEar ear, FakedKeyboard keyboard)
+    private async Task MeasureAsync(string what, StopListener ear, XTestKeyboard keyboard)
     {
-        var times = await StopPresses.TimesAsync(StopPresses.AtRest, () => Press(keyboard, ear.AwaitStop));
-        await output.WriteLineAsync(StopEar.Row(what, times));
+        var times = await StopMeasurement.TimesAsync(StopMeasurement.AtRest, () => Press(keyboard, ear.AwaitStop));
+        await output.WriteLineAsync(StopListener.Row(what, times));
     }
 
-    private async Task MeasureJobsAsync(string file, StopEar ear, FakedKeyboard keyboard)
+    private async Task MeasureJobsAsync(string file, StopListener ear, XTestKeyboard keyboard)
     {
         await desk.Queue.RunAsync("OPEN", file);
         await desk.SettleAsync();
-        var times = new double[StopPresses.Jobs];
+        var times = new double[StopMeasurement.Jobs];
         for (var i = 0; i < times.Length; i++)
         {
             while (desk.Session.Machine.Arming.Armed is null)
@@ -58,12 +58,12 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
             var run = desk.StartArmedAsync();
             await UntilAsync(() => desk.Session.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 }, run);
             if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
-            ear.Forget();
-            times[i] = (await StopPresses.TimesAsync(1, () => Press(keyboard, ear.AwaitBrake)))[0];
+            ear.Reset();
+            times[i] = (await StopMeasurement.TimesAsync(1, () => Press(keyboard, ear.AwaitBrake)))[0];
             await run;
         }
 
-        await output.WriteLineAsync(StopEar.Row(StopPresses.RunsJob, times));
+        await output.WriteLineAsync(StopListener.Row(StopMeasurement.RunsJob, times));
     }
 
     /// <summary>Waits until the condition is true or the other task has ended.</summary>
@@ -81,7 +81,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         }
     }
 
-    private static double Press(FakedKeyboard keyboard, Func<long, double> heard)
+    private static double Press(XTestKeyboard keyboard, Func<long, double> heard)
     {
         var sent = Stopwatch.GetTimestamp();
         keyboard.Send(PauseKey, down: true);

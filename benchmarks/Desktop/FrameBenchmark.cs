@@ -17,22 +17,22 @@ internal sealed class FrameBenchmark(DesktopModel desk, ShellWindow window, Text
     {
         await desk.SettleAsync();
         await PictureAsync();
-        await TellAsync("pan at extents", _moves.Pan);
-        await TellAsync("zoom about extents", _moves.Zoom);
+        await ReportAsync("pan at extents", _moves.Pan);
+        await ReportAsync("zoom about extents", _moves.Zoom);
         _moves.GoNear();
         await PictureAsync();
-        await TellAsync("pan zoomed in", _moves.Pan);
-        await TellAsync("zoom zoomed in", _moves.Zoom);
+        await ReportAsync("pan zoomed in", _moves.Pan);
+        await ReportAsync("zoom zoomed in", _moves.Zoom);
     }
 
     /// <summary>Waits for the whole picture of the present view.</summary>
     private async Task PictureAsync()
     {
         // Not by frames: frames without changes would follow each other immediately and starve the picture queued behind them.
-        while (!window.CanvasSource.IsCurrent || !window.Canvas.IsFresh) await Dispatcher.UIThread.InvokeAsync(() => { }, DispatcherPriority.ApplicationIdle);
+        while (!window.CanvasSource.IsCurrent || !window.Canvas.IsUpToDate) await Dispatcher.UIThread.InvokeAsync(() => { }, DispatcherPriority.ApplicationIdle);
     }
 
-    private async Task TellAsync(string what, Action<int> move)
+    private async Task ReportAsync(string what, Action<int> move)
     {
         var (times, cpu, all) = (new double[Frames], Environment.CpuUsage.TotalTime, new TaskCompletionSource());
         var watch = Stopwatch.StartNew();

@@ -13,32 +13,32 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
     private const int Frames = 300;
     private const int Openings = 10;
     private const double MegaByte = 1e6;
-    private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
+    private static readonly TimeSpan s_timeout = TimeSpan.FromMinutes(10);
     private readonly ViewMoves _moves = new(session.Desk);
 
     public void Run(string drawing)
     {
-        TellMemory("empty");
+        ReportMemory("empty");
         Open(drawing, tells: true);
-        TellMemory("opened and planned");
-        TellFrames("pan at extents", _moves.Pan);
-        TellFrames("zoom about extents", _moves.Zoom);
+        ReportMemory("opened and planned");
+        ReportFrames("pan at extents", _moves.Pan);
+        ReportFrames("zoom about extents", _moves.Zoom);
         _moves.GoNear();
         AwaitPicture();
-        TellFrames("pan zoomed in", _moves.Pan);
-        TellFrames("zoom zoomed in", _moves.Zoom);
-        TellMemory("moved");
+        ReportFrames("pan zoomed in", _moves.Pan);
+        ReportFrames("zoom zoomed in", _moves.Zoom);
+        ReportMemory("moved");
         for (var opening = 1; opening <= Openings; opening++)
         {
             Await(session.Desk.Queue.RunAsync("CLOSE"));
             Await(session.Desk.SettleAsync());
             Open(drawing, tells: false);
-            TellMemory(string.Create(CultureInfo.InvariantCulture, $"closed and opened {opening} times"));
+            ReportMemory(string.Create(CultureInfo.InvariantCulture, $"closed and opened {opening} times"));
         }
 
         Await(session.Desk.Queue.RunAsync("CLOSE"));
         Await(session.Desk.SettleAsync());
-        TellMemory("closed");
+        ReportMemory("closed");
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"in use then: {GC.GetTotalMemory(forceFullCollection: true) / MegaByte:0} MB"));
     }
 
@@ -46,12 +46,12 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
     {
         var (watch, cpu) = (Stopwatch.StartNew(), Environment.CpuUsage.TotalTime);
         var opening = session.Desk.Queue.RunAsync("OPEN", drawing);
-        desktop.StepUntil(() => opening.IsCompleted, s_patience);
+        desktop.StepUntil(() => opening.IsCompleted, s_timeout);
         Tell("read");
-        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);
+        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_timeout);
         Tell("read and first picture");
         var settling = session.Desk.SettleAsync();
-        desktop.StepUntil(() => settling.IsCompleted, s_patience);
+        desktop.StepUntil(() => settling.IsCompleted, s_timeout);
         Tell("read, first picture, order, plan");
         AwaitPicture();
         Tell("all with the picture of the job");
@@ -62,10 +62,10 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         }
     }
 
-    private void AwaitPicture() => desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsFresh, s_patience);
+    private void AwaitPicture() => desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsUpToDate, s_timeout);
 
     /// <summary>Draws frames as fast as possible while the view moves before each.</summary>
-    private void TellFrames(string what, Action<int> move)
+    private void ReportFrames(string what, Action<int> move)
     {
         var times = new double[Frames];
         for (var frame = 0; frame < Frames; frame++)
@@ -82,11 +82,11 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
     }
 
     /// <summary>Resident memory of the process after the desktop has released what it does not use; nothing is collected for the measurement.</summary>
-    private void TellMemory(string when)
+    private void ReportMemory(string when)
     {
-        desktop.StepUntil(() => session.Desk.IsMemoryReleased, s_patience);
+        desktop.StepUntil(() => session.Desk.IsMemoryReclaimed, s_timeout);
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{when}: resident {Environment.WorkingSet / MegaByte:0} MB, of it managed {GC.GetGCMemoryInfo().TotalCommittedBytes / MegaByte:0} MB"));
     }
 
-    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);
+    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_timeout);
 }

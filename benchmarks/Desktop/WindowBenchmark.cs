@@ -12,7 +12,7 @@ namespace Engraver.Benchmarks.Desktop;
 internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 200;
-    private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
+    private static readonly TimeSpan s_timeout = TimeSpan.FromMinutes(10);
     private static readonly Size[] s_sizes = [new(1280, 800), new(2560, 1440)];
 
     /// <summary>Measures frames in which everything is painted, because the background of the window changes.</summary>
@@ -26,7 +26,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
         foreach (var size in s_sizes)
         {
             desktop.Windows[0].Resize(size);
-            desktop.StepUntil(() => window.Canvas.IsFresh, s_patience);
+            desktop.StepUntil(() => window.Canvas.IsUpToDate, s_timeout);
             var times = Enumerable.Range(0, Frames).Select(PaintAll).Order().ToArray();
             output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {size.Width:0} x {size.Height:0} | {Frames} | {times[Frames / 2]:0.0} | {times[Frames * 99 / 100]:0.0} | {times[^1]:0.0} |"));
         }
@@ -37,15 +37,15 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
     {
         var watch = Stopwatch.StartNew();
         var opening = session.Desk.Queue.RunAsync("OPEN", drawing);
-        desktop.StepUntil(() => opening.IsCompleted, s_patience);
-        Tell("read", watch);
-        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);
-        Tell("first picture", watch);
+        desktop.StepUntil(() => opening.IsCompleted, s_timeout);
+        Report("read", watch);
+        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_timeout);
+        Report("first picture", watch);
         var settling = session.Desk.SettleAsync();
-        desktop.StepUntil(() => settling.IsCompleted, s_patience);
-        Tell("order, plan and program", watch);
-        desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsFresh, s_patience);
-        Tell("picture with its job", watch);
+        desktop.StepUntil(() => settling.IsCompleted, s_timeout);
+        Report("order, plan and program", watch);
+        desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsUpToDate, s_timeout);
+        Report("picture with its job", watch);
     }
 
     private double PaintAll(int frame)
@@ -56,7 +56,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
         return watch.Elapsed.TotalMilliseconds;
     }
 
-    private void Tell(string what, Stopwatch watch) => output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}: {watch.Elapsed.TotalSeconds:0.00} s"));
+    private void Report(string what, Stopwatch watch) => output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}: {watch.Elapsed.TotalSeconds:0.00} s"));
 
-    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);
+    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_timeout);
 }

@@ -58,6 +58,6 @@ internal static class PostBenchmark
         before = Environment.CpuUsage.TotalTime;
         var certified = await Certification.CertifyAsync(request with { Program = (file, text) }, progress: null, stop).ConfigureAwait(false);
         var seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
-        row.AddCertified(certified.Certificate!, CertificateStanding.Of(certified.Certificate!, Certification.IdentityOf(request)), drawing.HasErrors, seconds);
+        row.AddCertified(certified.Certificate!, CertificateStatus.Of(certified.Certificate!, Certification.IdentityOf(request)), drawing.HasErrors, seconds);
     }
 }

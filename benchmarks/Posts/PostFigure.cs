@@ -16,7 +16,7 @@ internal sealed class PostFigure(string target, string? drawing = null)
     private long _bytes;
     private double _worst;
     private int _verified;
-    private int _standing;
+    private int _validCertificates;
     private double _posting;
     private double _verifying;
     private double _longest;
@@ -35,27 +35,27 @@ internal sealed class PostFigure(string target, string? drawing = null)
         else (_programs, _lines, _bytes) = (_programs + 1, _lines + text.Count(sign => sign == '\n'), _bytes + text.Length);
     }
 
-    public void AddCertified(JobCertificate certificate, CertificateStanding standing, bool isDamaged, double seconds)
+    public void AddCertified(JobCertificate certificate, CertificateStatus standing, bool isDamaged, double seconds)
     {
         AddTime("verify", seconds);
         _verifying += seconds;
         _worst = Math.Max(_worst, certificate.MaxDeviation ?? 0.0);
         if (certificate.Ok) _verified++;
-        if (standing.State == CertificateState.Stands) _standing++;
-        else _failures.Add($"  {_name}: {(certificate.Ok ? $"certificate does not stand ({string.Join(", ", standing.Differs)})" : $"no certificate; {Reason(certificate, isDamaged)}")}");
+        if (standing.State == CertificateState.Stands) _validCertificates++;
+        else _failures.Add($"  {_name}: {(certificate.Ok ? $"certificate does not stand ({string.Join(", ", standing.Differences)})" : $"no certificate; {Reason(certificate, isDamaged)}")}");
     }
 
     /// <summary>Adds the figures of one program.</summary>
     public void Add(PostFigure one)
     {
         (_programs, _unwritten, _lines, _bytes) = (_programs + one._programs, _unwritten + one._unwritten, _lines + one._lines, _bytes + one._bytes);
-        (_worst, _verified, _standing) = (Math.Max(_worst, one._worst), _verified + one._verified, _standing + one._standing);
+        (_worst, _verified, _validCertificates) = (Math.Max(_worst, one._worst), _verified + one._verified, _validCertificates + one._validCertificates);
         (_posting, _verifying) = (_posting + one._posting, _verifying + one._verifying);
         _failures.AddRange(one._failures);
         if (one._longest > _longest) (_longest, Slowest) = (one._longest, one.Slowest);
     }
 
-    public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {_name} | {_programs} | {_unwritten} | {_lines} | {_bytes} | {_worst:0.#####} | {_verified} | {_standing} | {_posting:0.##} | {_verifying:0.##} |");
+    public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {_name} | {_programs} | {_unwritten} | {_lines} | {_bytes} | {_worst:0.#####} | {_verified} | {_validCertificates} | {_posting:0.##} | {_verifying:0.##} |");
 
     private void AddTime(string work, double seconds)
     {

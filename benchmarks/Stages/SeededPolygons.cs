@@ -5,8 +5,8 @@ namespace Engraver.Benchmarks.Stages;
 /// compiles this file, so that it writes the same drawings.</remarks>
 internal static class SeededPolygons
 {
-    private const int FewestSides = 10;
-    private const int MostSides = 50;
+    private const int MinSides = 10;
+    private const int MaxSides = 50;
     private const double CellSize = 4;
     private const double LargestRadius = 0.45 * CellSize;
 
@@ -19,7 +19,7 @@ internal static class SeededPolygons
     {
         var random = new SeededSequence(seed);
         var lines = new List<SeededLine>(count);
-        var columns = (int)Math.Ceiling(Math.Sqrt(2.0 * count / (FewestSides + MostSides)));
+        var columns = (int)Math.Ceiling(Math.Sqrt(2.0 * count / (MinSides + MaxSides)));
         for (var cell = 0; lines.Count < count; cell++) AddPolygon(lines, cell, columns, SidesFor(count - lines.Count, random), random);
         var drawn = lines.ToArray();
         if (shuffled) Shuffle(drawn, random);
@@ -34,8 +34,8 @@ internal static class SeededPolygons
 
     private static int SidesFor(int remaining, SeededSequence random)
     {
-        var sides = FewestSides + random.Below(MostSides - FewestSides + 1);
-        return remaining - sides < FewestSides ? remaining : sides;
+        var sides = MinSides + random.Below(MaxSides - MinSides + 1);
+        return remaining - sides < MinSides ? remaining : sides;
     }
 
     /// <summary>A polygon with an irregular outline that stays within its cell.</summary>

@@ -13,7 +13,7 @@ namespace Engraver.Benchmarks.Stops;
 internal sealed class FaultStopBenchmark
 {
     /// <summary>Number of consecutive jobs without motion after which the benchmark fails.</summary>
-    private const int MostUnbegun = 50;
+    private const int MaxUnstartedJobs = 50;
 
     private readonly FaultStopPress _press;
 
@@ -52,7 +52,7 @@ internal sealed class FaultStopBenchmark
         {
             var pressed = await _press.RunAsync(file, stop).ConfigureAwait(false);
             unbegun = pressed is null ? unbegun + 1 : 0;
-            if (unbegun == MostUnbegun) throw new ControllerTimeoutException($"{MostUnbegun} jobs in a row ended before they moved: this computer is too busy, or the link too slow.");
+            if (unbegun == MaxUnstartedJobs) throw new ControllerTimeoutException($"{MaxUnstartedJobs} jobs in a row ended before they moved: this computer is too busy, or the link too slow.");
             switch (pressed)
             {
                 case { Milliseconds: { } time, UnderWay: var underWay, Pause: var collecting }:

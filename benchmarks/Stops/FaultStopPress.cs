@@ -19,7 +19,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     private const double PressWithin = 0.06;
 
     /// <summary>A stop that is not on the wire after this time will not arrive: the link is lost.</summary>
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan s_timeout = TimeSpan.FromSeconds(2);
 
     private readonly Random _random = new(1);
 
@@ -32,7 +32,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     {
         await using var controller = ServedSimulator.Create(1.0, profile: null, faults: null, signColumn: false);
         await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
-        var ear = new Ear(wire);
+        var ear = new WireListener(wire);
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.Connection.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
         var program = machine.Connection.FitToLink(job.Motion.Program!, MachineFamilies.Default.DefaultStrategy, job.Drawing).Program;
@@ -42,25 +42,25 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
             if (await Task.WhenAny(ear.Moves, run).ConfigureAwait(false) == run) return null;
             await Task.Delay(TimeSpan.FromSeconds(EarliestFault + ((LatestFault - EarliestFault) * _random.NextDouble())), stop).ConfigureAwait(false);
             if (run.IsCompleted || machine.Runs.Progress is not { SegmentsSent: > 0 }) return null;
-            ear.FaultComes();
+            ear.OnFault();
             if (fault is not null) controller.Schedule(fault);
             await Task.Delay(TimeSpan.FromSeconds(PressWithin * _random.NextDouble()), stop).ConfigureAwait(false);
             return await PressAsync(machine, wire, ear, run, stop).ConfigureAwait(false);
         }
         finally
         {
-            wire.Rest();
+            wire.EndMeasurement();
             await EndAsync(run).ConfigureAwait(false);
         }
     }
 
-    private static async Task<PressedStop> PressAsync(MachineSession machine, FaultStopWire wire, Ear ear, Task run, CancellationToken stop)
+    private static async Task<PressedStop> PressAsync(MachineSession machine, FaultStopWire wire, WireListener ear, Task run, CancellationToken stop)
     {
         var collecting = GC.GetTotalPauseDuration();
         wire.Press(Stopwatch.GetTimestamp());
         var pressed = ear.Press();
         machine.Controls.Stop();
-        await Task.WhenAny(ear.Stop, Task.Delay(s_patience, stop), GoneAsync(machine, run)).ConfigureAwait(false);
+        await Task.WhenAny(ear.Stop, Task.Delay(s_timeout, stop), GoneAsync(machine, run)).ConfigureAwait(false);
         var pause = (GC.GetTotalPauseDuration() - collecting).TotalMilliseconds;
         double? time = ear.Stop.IsCompleted && !ear.IsBraked ? Stopwatch.GetElapsedTime(pressed, await ear.Stop.ConfigureAwait(false)).TotalMilliseconds : null;
         return new PressedStop(time, ear.IsBraked, pause, wire.UnderWayMilliseconds);
@@ -91,7 +91,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     }
 
     /// <summary>Detects on the wire the start of the motion along the path, and its braking.</summary>
-    private sealed class Ear
+    private sealed class WireListener
     {
         private static readonly char[] s_ends = ['\r', ';'];
         private readonly TaskCompletionSource _moves = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -100,7 +100,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         private long _pressedAt = long.MaxValue;
         private volatile bool _isBraked;
 
-        public Ear(FaultStopWire wire) => wire.Heard += Hear;
+        public WireListener(FaultStopWire wire) => wire.CommandPassed += OnCommand;
 
         /// <summary>The path has started.</summary>
         public Task Moves => _moves.Task;
@@ -111,7 +111,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         /// <summary>The path was braked between the fault and the press.</summary>
         public bool IsBraked => _isBraked;
 
-        public void FaultComes() => Volatile.Write(ref _faultAt, Stopwatch.GetTimestamp());
+        public void OnFault() => Volatile.Write(ref _faultAt, Stopwatch.GetTimestamp());
 
         /// <returns>The time stamp of the press.</returns>
         public long Press()
@@ -121,7 +121,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
             return now;
         }
 
-        private void Hear(string text, long at)
+        private void OnCommand(string text, long at)
         {
             if (Array.Exists(text.Split(s_ends), command => command == "BGS")) _moves.TrySetResult(); // a query of _BGS does not count
             if (!FaultStopWire.IsStop(text)) return;

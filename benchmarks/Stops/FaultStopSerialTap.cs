@@ -26,7 +26,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private FaultStopSerialTap(ServedSimulator controller, string path, int baud)
     {
         _controller = controller;
-        controller.SerialCarriesAtOnce = true;
+        controller.IsSerialUnpaced = true;
         _ticksPerByte = Stopwatch.Frequency * 10.0 / baud;
         Address = string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={baud}");
     }
@@ -45,7 +45,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken cancellation)
     {
         var tap = new FaultStopSerialTap(controller, path, baud);
-        await controller.ServeSerialAsync(path, baud, tap.Hear, cancellation).ConfigureAwait(false);
+        await controller.ServeSerialAsync(path, baud, tap.OnBytes, cancellation).ConfigureAwait(false);
         return tap;
     }
 
@@ -54,12 +54,12 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         lock (_gate) (_underWay, _isPressed) = (Milliseconds(Math.Max(0.0, _free - at)), true);
     }
 
-    public override void Rest() => _controller.SerialCarriesAtOnce = true;
+    public override void EndMeasurement() => _controller.IsSerialUnpaced = true;
 
     /// <summary>The line is closed together with its controller.</summary>
     public override ValueTask DisposeAsync() => ValueTask.CompletedTask;
 
-    private void Hear(ReadOnlyMemory<byte> bytes, bool fromHost)
+    private void OnBytes(ReadOnlyMemory<byte> bytes, bool fromHost)
     {
         if (!fromHost) return;
         var came = Stopwatch.GetTimestamp();
@@ -72,7 +72,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
             _isPressed = false;
         }
 
-        foreach (var (text, at) in commands) Tell(text, at);
+        foreach (var (text, at) in commands) RaiseCommandPassed(text, at);
     }
 
     /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as CR does
@@ -83,7 +83,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         _free = Math.Max(_free, came);
         foreach (var one in bytes)
         {
-            if (!_controller.SerialCarriesAtOnce) _free += _ticksPerByte;
+            if (!_controller.IsSerialUnpaced) _free += _ticksPerByte;
             if (one is not ((byte)'\r' or (byte)';'))
             {
                 _command.Append((char)one);
@@ -91,7 +91,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
             }
 
             commands.Add((_command.ToString(), (long)_free));
-            if (Begins(_command)) _controller.SerialCarriesAtOnce = false;
+            if (StartsMotion(_command)) _controller.IsSerialUnpaced = false;
             _command.Clear();
         }
 
@@ -101,5 +101,5 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private static double Milliseconds(double ticks) => ticks * 1000.0 / Stopwatch.Frequency;
 
     /// <summary>The command starts the motion along the path (galil-dmc.md B.1).</summary>
-    private static bool Begins(StringBuilder command) => command.Equals("BGS");
+    private static bool StartsMotion(StringBuilder command) => command.Equals("BGS");
 }

@@ -6,7 +6,7 @@ namespace Engraver.Benchmarks.Stops;
 internal abstract class FaultStopWire : IAsyncDisposable
 {
     /// <summary>Raised with each command and the time stamp at which it was on the wire, on any thread.</summary>
-    public event Action<string, long>? Heard;
+    public event Action<string, long>? CommandPassed;
 
     /// <summary>The address at which the host reaches the controller.</summary>
     public abstract string Address { get; }
@@ -23,7 +23,7 @@ internal abstract class FaultStopWire : IAsyncDisposable
     }
 
     /// <summary>Commands from here on are not measured.</summary>
-    public virtual void Rest()
+    public virtual void EndMeasurement()
     {
     }
 
@@ -36,7 +36,7 @@ internal abstract class FaultStopWire : IAsyncDisposable
         return command.Contains("STS", StringComparison.Ordinal);
     }
 
-    protected void Tell(string command, long at) => Heard?.Invoke(command, at);
+    protected void RaiseCommandPassed(string command, long at) => CommandPassed?.Invoke(command, at);
 
     /// <summary>A TCP connection through a relay.</summary>
     public static async Task<FaultStopWire> OverTcpAsync(ServedSimulator controller, CancellationToken cancellation) => new Tcp(new WireTap(await controller.ListenTcpAsync(0, cancellation).ConfigureAwait(false)));
@@ -48,7 +48,7 @@ internal abstract class FaultStopWire : IAsyncDisposable
         public Tcp(WireTap tap)
         {
             _tap = tap;
-            tap.Heard += Tell;
+            tap.CommandReceived += RaiseCommandPassed;
         }
 
         public override string Address => _tap.Address;

@@ -22,7 +22,7 @@ internal sealed class WireTap : IAsyncDisposable
     }
 
     /// <summary>Raised with each command on its way to the controller and its time stamp; on a thread of the pool.</summary>
-    public event Action<string, long>? Heard;
+    public event Action<string, long>? CommandReceived;
 
     /// <summary>The address at which the controller is reached through the relay.</summary>
     public string Address => FormattableString.Invariant($"tcp://127.0.0.1:{((IPEndPoint)_listener.LocalEndpoint).Port}");
@@ -63,7 +63,7 @@ internal sealed class WireTap : IAsyncDisposable
         while (await from.ReadAsync(buffer, _ending.Token).ConfigureAwait(false) is > 0 and var count)
         {
             var came = Stopwatch.GetTimestamp();
-            if (listens) Heard?.Invoke(Encoding.ASCII.GetString(buffer, 0, count), came);
+            if (listens) CommandReceived?.Invoke(Encoding.ASCII.GetString(buffer, 0, count), came);
             await to.WriteAsync(buffer.AsMemory(0, count), _ending.Token).ConfigureAwait(false);
         }
     }

@@ -77,7 +77,7 @@ internal static class TrajectoryBenchmark
         var (ours, milliseconds) = Timed(segments, closed, new TrajectoryOptions(error) { Corners = CornerMode.Continuous }, Repetitions);
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"| {name} | {error} | {plugIn.Count - 2} | {new SplineRun(plugIn).FromSource(segments):0.00000} | {ours.Points} | {ours.VerifiedBound:0.000000} | {Deviation(ours):0.000000} | {ours.SpacingRatio:0.00} | {milliseconds:0} |");
+            $"| {name} | {error} | {plugIn.Count - 2} | {new SplineEvaluation(plugIn).FromSource(segments):0.00000} | {ours.Points} | {ours.VerifiedBound:0.000000} | {Deviation(ours):0.000000} | {ours.SpacingRatio:0.00} | {milliseconds:0} |");
     }
 
     private static (Trajectory Made, double Milliseconds) Timed(IReadOnlyList<Segment> segments, bool closed, TrajectoryOptions options, int repetitions)
@@ -97,7 +97,7 @@ internal static class TrajectoryBenchmark
     /// <summary>In both directions, at samples, evaluated without the generator's code.</summary>
     private static double Deviation(Trajectory trajectory)
     {
-        var run = new SplineRun(trajectory.Lines);
+        var run = new SplineEvaluation(trajectory.Lines);
         return Math.Max(run.FromSource(trajectory.Source), run.ToSource(trajectory.Source));
     }
 }

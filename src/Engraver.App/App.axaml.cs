@@ -39,11 +39,11 @@ public partial class App : Application
 
         void Follow() => RequestedThemeVariant = DesktopThemes.Of(desk.Session.View.Current.Theme);
 
-        void OnFailed(Exception failure) => session.Failures.Take(failure);
+        void OnFailed(Exception failure) => session.Failures.Handle(failure);
 
         void OnUnhandled(object? sender, DispatcherUnhandledExceptionEventArgs e)
         {
-            session.Failures.Take(e.Exception);
+            session.Failures.Handle(e.Exception);
             e.Handled = true;
         }
     }

@@ -21,7 +21,7 @@ public static class EngraverProgram
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {
         var stop = new CancellationTokenSource(); // Not disposed: a second signal may arrive at any time.
-        InterruptSignal.Unignore();
+        InterruptSignal.RestoreDefault();
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
         using var owned = streams;
@@ -45,31 +45,31 @@ public static class EngraverProgram
         }
         catch (UsageException wrong)
         {
-            return Say(streams, wrong.Message, ExitCode.Usage);
+            return WriteError(streams, wrong.Message, ExitCode.Usage);
         }
         catch (SettingException wrong)
         {
-            return Say(streams, wrong.Message, ExitCode.Usage);
+            return WriteError(streams, wrong.Message, ExitCode.Usage);
         }
         catch (MachineUnavailableException unavailable)
         {
-            return Say(streams, unavailable.Message, ExitCode.Refused);
+            return WriteError(streams, unavailable.Message, ExitCode.Refused);
         }
         catch (ControllerException link)
         {
-            return Say(streams, link.Message, ExitCode.LinkLost);
+            return WriteError(streams, link.Message, ExitCode.LinkLost);
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
         {
-            return Say(streams, Wording.Get("EngraverProgram.StoppedOperator"), ExitCode.StoppedByOperator);
+            return WriteError(streams, Wording.Get("EngraverProgram.StoppedOperator"), ExitCode.StoppedByOperator);
         }
         catch (IOException unwritable)
         {
-            return Say(streams, Wording.Get("EngraverProgram.ResultNotWritable", SystemReason.Of(unwritable)), ExitCode.DrawingError);
+            return WriteError(streams, Wording.Get("EngraverProgram.ResultNotWritable", SystemErrorText.FromException(unwritable)), ExitCode.DrawingError);
         }
         catch (Exception bug)
         {
-            return Say(streams, CrashReport.Write(bug, args), ExitCode.InternalError);
+            return WriteError(streams, CrashReport.Write(bug, args), ExitCode.InternalError);
         }
     }
 
@@ -77,13 +77,13 @@ public static class EngraverProgram
     {
         if (GlobalOptions.Language(args) is { } language) CultureInfo.CurrentUICulture = language;
         var global = new GlobalOptions();
-        var machine = new MachineInHand();
+        var machine = new ConnectedMachine();
         var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
         if (WhyUnusable(args, root, parsed) is { } why)
         {
             RunVerb.ReportUnusable(parsed, streams.Out);
-            return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", why), ExitCode.Usage);
+            return WriteError(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", why), ExitCode.Usage);
         }
 
         var settings = new InvocationConfiguration
@@ -93,7 +93,7 @@ public static class EngraverProgram
             Output = streams.Out,
             Error = streams.Error,
         };
-        if (parsed.CommandResult.Command is MachineCommand) machine.Follow(true);
+        if (parsed.CommandResult.Command is MachineCommand) machine.SetConnected(true);
         return await StoppableVerb.RunAsync(() => parsed.InvokeAsync(settings, stop), streams, machine, stop).ConfigureAwait(false);
     }
 
@@ -106,7 +106,7 @@ public static class EngraverProgram
         return EmptyName.In(parsed) is { } empty ? Wording.Get("EngraverProgram.EmptyName", empty) : null;
     }
 
-    private static int Say(ConsoleStreams streams, string sentence, int code)
+    private static int WriteError(ConsoleStreams streams, string sentence, int code)
     {
         streams.Error.WriteLine($"engraver: {sentence}");
         return code;

@@ -11,7 +11,7 @@ internal static class InterruptSignal
     private const nint Default = 0;
 
     /// <summary>Call before registering a handler. Does nothing if the signal is not ignored, or on other systems than Linux.</summary>
-    public static void Unignore()
+    public static void RestoreDefault()
     {
         if (OperatingSystem.IsLinux() && IsIgnored()) NativeMethods.Signal(Interrupt, Default);
     }

@@ -1,6 +1,6 @@
 using Engraver.Cli;
 
-LastResort.Install(args);
+UnhandledExceptionHandler.Install(args);
 var streams = new ConsoleStreams(Console.OpenStandardOutput(), Console.Error, new StreamReader(Console.OpenStandardInput()))
 {
     Interactive = !Console.IsInputRedirected && !Console.IsOutputRedirected,

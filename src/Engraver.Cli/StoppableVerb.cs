@@ -9,21 +9,21 @@ internal static class StoppableVerb
 {
     /// <summary>Runs a computation that is abandoned on the operator's stop.</summary>
     /// <exception cref="OperationCanceledException">The operator stopped it; the computation is abandoned.</exception>
-    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => UntilStoppedAsync(OnItsOwnThread(() => Task.FromResult(compute())), stop);
+    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => WaitUnlessStoppedAsync(RunOnNewThread(() => Task.FromResult(compute())), stop);
 
     /// <returns>The exit code of the verb.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped it. If the verb was abandoned, <paramref name="streams"/> accept no more
     /// output.</exception>
-    public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, MachineInHand machine, CancellationToken stop)
+    public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, ConnectedMachine machine, CancellationToken stop)
     {
-        var running = OnItsOwnThread(verb);
+        var running = RunOnNewThread(verb);
         try
         {
-            return await UntilStoppedAsync(running, stop).ConfigureAwait(false);
+            return await WaitUnlessStoppedAsync(running, stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
-            await Task.WhenAny(running, machine.LetGoAsync()).ConfigureAwait(false);
+            await Task.WhenAny(running, machine.WaitForDisconnectAsync()).ConfigureAwait(false);
             if (running.IsCompleted) return await running.ConfigureAwait(false); // Also when it ended at the same moment: its own result counts.
             streams.Abandon();
             throw;
@@ -32,7 +32,7 @@ internal static class StoppableVerb
 
     /// <summary>Like <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however continues on the cancelling thread before callbacks registered earlier:
     /// those must stop the machine first.</summary>
-    private static async Task<T> UntilStoppedAsync<T>(Task<T> running, CancellationToken stop)
+    private static async Task<T> WaitUnlessStoppedAsync<T>(Task<T> running, CancellationToken stop)
     {
         var stopped = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var hearing = stop.UnsafeRegister(static heard => ((TaskCompletionSource)heard!).TrySetResult(), stopped).ConfigureAwait(false);
@@ -41,5 +41,5 @@ internal static class StoppableVerb
     }
 
     /// <summary>Runs on a new thread, because a verb may compute for a long time and the thread pool may be busy.</summary>
-    private static Task<T> OnItsOwnThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
+    private static Task<T> RunOnNewThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
 }

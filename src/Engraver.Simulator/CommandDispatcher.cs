@@ -46,7 +46,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
     /// <summary>Delays the answer: by controller time when it is virtual or a host has the clock, otherwise by wall time.</summary>
     private void LateBy(TimeSpan delay)
     {
-        if (options.IsVirtual || clock.Hosts.AreThere) clock.Spend(delay);
+        if (options.IsVirtual || clock.Hosts.HasHosts) clock.Spend(delay);
         else _late = delay;
     }
 
@@ -95,9 +95,9 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
         }
     }
 
-    bool ICommandSink.Arrived(Handle handle, byte value)
+    bool ICommandSink.ByteReceived(Handle handle, byte value)
     {
-        machine.Faults.Arrived();
+        machine.Faults.ByteReceived();
         if (handle.IsClosed) return false;
         if (!handle.IsSerial) return true;
         clock.Spend(machine.Serial.ByteTime);
@@ -105,7 +105,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
         return handle.IsReceivingText || !machine.Inputs.TakeSerial((char)value);
     }
 
-    void ICommandSink.Answered(Handle handle, int replyLength)
+    void ICommandSink.ReplySent(Handle handle, int replyLength)
     {
         clock.Spend(handle.IsSerial ? machine.Serial.ByteTime * replyLength : options.CommandCost);
 

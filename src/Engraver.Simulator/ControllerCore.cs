@@ -30,7 +30,7 @@ internal sealed class ControllerCore : IDisposable
         _status = new StatusModel(Machine);
         _recordFile = new RecordFile(Machine.Record);
         _dispatcher = new CommandDispatcher(Machine, _clock, options);
-        Hosts = new HostClockCoordinator(Machine, _clock, _gate, Happened, _recordFile.Flush);
+        Hosts = new HostClockCoordinator(Machine, _clock, _gate, OnMachineChanged, _recordFile.Flush);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
@@ -58,12 +58,12 @@ internal sealed class ControllerCore : IDisposable
     }
 
     /// <param name="datagrams">Receives the answers of a UDP handle; null for a connection.</param>
-    public Handle? Open(int localPort, int remotePort, Action? disconnect, DatagramSender? datagrams = null)
+    public Handle? Open(int localPort, int remotePort, Action? disconnect, SendDatagram? datagrams = null)
     {
         lock (_gate)
         {
             _clock.Pace();
-            _clock.Heard();
+            _clock.ByteReceived();
             return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _dispatcher) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
@@ -74,7 +74,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             _clock.Pace();
-            _clock.Heard();
+            _clock.ByteReceived();
             return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _dispatcher) { Disconnect = disconnect });
         }
     }
@@ -90,8 +90,8 @@ internal sealed class ControllerCore : IDisposable
                 _clock.Pace();
                 taken?.Invoke(Machine.ClockTicks);
                 handle.Receive(bytes);
-                _clock.Heard();
-                Happened();
+                _clock.ByteReceived();
+                OnMachineChanged();
             }
             catch (Exception bug)
             {
@@ -126,8 +126,8 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             handle.Close();
-            _clock.Heard();
-            Happened();
+            _clock.ByteReceived();
+            OnMachineChanged();
         }
     }
 
@@ -146,7 +146,7 @@ internal sealed class ControllerCore : IDisposable
         {
             _clock.Pace();
             action(Machine);
-            Happened();
+            OnMachineChanged();
         }
     }
 
@@ -155,7 +155,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Machine.Advance(time);
-            Happened();
+            OnMachineChanged();
         }
 
         Hosts.FireDue();
@@ -195,7 +195,7 @@ internal sealed class ControllerCore : IDisposable
         {
             _status.Add(waiter);
             _clock.Pace();
-            Happened();
+            OnMachineChanged();
         }
 
         try
@@ -220,13 +220,13 @@ internal sealed class ControllerCore : IDisposable
         _recordFile.Complete();
     }
 
-    private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.AreThere ? HostTick : SilenceRule.Short;
+    private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.HasHosts ? HostTick : SilenceRule.Short;
 
     /// <summary>Wall time until the next event that needs no command. Infinite when idle: then no processor time is used, and the next command wakes the
     /// controller and advances it to the wall clock.</summary>
-    private TimeSpan QuietTime()
+    private TimeSpan TimeWithoutEvents()
     {
-        if (_status.IsAwaited || _dispatcher.HasLateReplies || _clock.Hosts.AreThere) return TickPeriod;
+        if (_status.IsAwaited || _dispatcher.HasLateReplies || _clock.Hosts.HasHosts) return TickPeriod;
         if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
         if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
         var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
@@ -268,16 +268,16 @@ internal sealed class ControllerCore : IDisposable
         _nextTick = TimeSpan.MaxValue;
         _clock.Pace();
         _dispatcher.ReleaseReplies();
-        LookAtHosts();
+        PollHosts();
 
         _status.Notify();
-        TickWithin(QuietTime());
+        TickWithin(TimeWithoutEvents());
     }
 
-    private void LookAtHosts()
+    private void PollHosts()
     {
-        var isHeldUp = _dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsAnswerOwed || Machine.Handles.Open.Any(static handle => handle.IsMidCommand);
-        _clock.Look(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
+        var isHeldUp = _dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsReplyPending || Machine.Handles.Open.Any(static handle => handle.IsMidCommand);
+        _clock.Poll(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
     }
 
     /// <summary>Stops the controller after an internal error of the simulator, because its state can no longer be trusted. Disconnects every client, so that
@@ -289,7 +289,7 @@ internal sealed class ControllerCore : IDisposable
         Machine.CutLinks();
     }
 
-    private void Happened()
+    private void OnMachineChanged()
     {
         _status.Notify();
         TickWithin(TickPeriod);

@@ -38,7 +38,7 @@ public sealed record FaultPlan
         var plan = JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
         for (var i = 0; i < plan.Faults.Count; i++)
         {
-            if (plan.Faults[i].Flaw() is { } flaw) throw new FaultPlanException(i, flaw);
+            if (plan.Faults[i].Validate() is { } flaw) throw new FaultPlanException(i, flaw);
         }
 
         return plan;
@@ -60,36 +60,4 @@ public sealed record FaultPlan
 
         return null;
     }
-}
-
-/// <summary>The n-th command received (from 1) is answered "?" with the given TC code (galil-dmc.md A.8) and not executed.</summary>
-public readonly record struct CommandRefusal(long Command, int TcCode);
-
-/// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller continues to run.</summary>
-public readonly record struct HandleDrop(int Handle, long AfterCommands);
-
-/// <summary>A fault of a plan cannot occur.</summary>
-public sealed class FaultPlanException : JsonException
-{
-    public FaultPlanException()
-    {
-    }
-
-    public FaultPlanException(string message)
-        : base(message)
-    {
-    }
-
-    public FaultPlanException(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
-
-    internal FaultPlanException(int fault, FaultFlaw flaw)
-        : base($"faults[{fault}].{flaw.Field}: {flaw.Reason}") => (Fault, Flaw) = (fault, flaw);
-
-    /// <summary>Index of the fault in the list of faults, from 0.</summary>
-    public int Fault { get; }
-
-    public FaultFlaw Flaw { get; }
 }

@@ -29,7 +29,7 @@ internal sealed class FaultSchedule
     public bool AwaitsSegment { get; private set; }
 
     /// <summary>A command or its answer was lost: its host waits for an answer that is never sent.</summary>
-    public bool IsAnswerOwed { get; private set; }
+    public bool IsReplyPending { get; private set; }
 
     /// <summary>Bytes that have arrived so far, over all links.</summary>
     public long Bytes { get; private set; }
@@ -38,7 +38,7 @@ internal sealed class FaultSchedule
     public void Add(ScheduledFault fault)
     {
         _planned.Add(fault);
-        Happen();
+        Apply();
     }
 
     /// <summary>Called after every sample, and after every jump over several samples.</summary>
@@ -52,30 +52,30 @@ internal sealed class FaultSchedule
             _endings.RemoveAt(i);
         }
 
-        Happen();
+        Apply();
     }
 
     /// <summary>Called when a byte has arrived.</summary>
-    public void Arrived()
+    public void ByteReceived()
     {
         Bytes++;
-        if (_planned.Count > 0) Happen();
+        if (_planned.Count > 0) Apply();
     }
 
     /// <summary>True when the command that has just arrived is lost.</summary>
     public bool LosesCommand()
     {
-        IsAnswerOwed = _lostCommands > 0;
-        if (IsAnswerOwed) _lostCommands--;
-        return IsAnswerOwed;
+        IsReplyPending = _lostCommands > 0;
+        if (IsReplyPending) _lostCommands--;
+        return IsReplyPending;
     }
 
     /// <summary>True when the answer that is about to be sent is lost.</summary>
     public bool LosesReply()
     {
-        IsAnswerOwed = _lostReplies > 0;
-        if (IsAnswerOwed) _lostReplies--;
-        return IsAnswerOwed;
+        IsReplyPending = _lostReplies > 0;
+        if (IsReplyPending) _lostReplies--;
+        return IsReplyPending;
     }
 
     /// <summary>Delay of the answer that is about to be sent.</summary>
@@ -95,7 +95,7 @@ internal sealed class FaultSchedule
         return bytes;
     }
 
-    private void Happen()
+    private void Apply()
     {
         for (var i = 0; i < _planned.Count; i++)
         {

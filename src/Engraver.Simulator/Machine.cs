@@ -338,7 +338,7 @@ internal sealed class Machine
     {
         _recorder.Before(Sample);
         _recorder.After(Sample, Motion.Step());
-        if (Motion.Contour.WasLate && Motion.Contour.TakeLateness()) LastError = Tc.ContourTooSlow;
+        if (Motion.Contour.HadUnderrun && Motion.Contour.TakeLateness()) LastError = Tc.ContourTooSlow;
 
         for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
         for (var hits = Motion.TakeErrorHits(); hits > 0; hits--) Threads.Interrupt("POSERR");

@@ -39,85 +39,18 @@ public sealed record ScheduledFault
     private bool MayEnd => Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam;
 
     /// <summary>The reason why the fault cannot occur, with the invalid field; null for a valid fault.</summary>
-    public FaultFlaw? Flaw()
+    public FaultError? Validate()
     {
         var moments = (AtSeconds is null ? 0 : 1) + (AtSegment is null ? 0 : 1) + (AtByte is null ? 0 : 1);
-        if (moments != 1) return new FaultFlaw("kind", FlawReason.Moments);
-        if (AtSeconds is not null and not (>= 0.0 and < 1e9)) return new FaultFlaw("atSeconds", FlawReason.BelowZero);
-        if (AtSegment < 0) return new FaultFlaw("atSegment", FlawReason.BelowZero);
-        if (AtByte < 0) return new FaultFlaw("atByte", FlawReason.BelowZero);
-        if (NeedsAxis != (Axis is not null)) return NeedsAxis ? new FaultFlaw("kind", FlawReason.NoAxis) : new FaultFlaw("axis", FlawReason.HasNoAxis);
-        if (Axis is not (null or "A" or "B" or "C" or "D")) return new FaultFlaw("axis", FlawReason.OtherAxis);
-        if (ForSeconds is not null && !MayEnd) return new FaultFlaw("forSeconds", FlawReason.NeverEnds);
-        if (ForSeconds is not null and not (> 0.0 and < 1e9)) return new FaultFlaw("forSeconds", FlawReason.NotAboveZero);
-        if (Seconds is not (>= 0.0 and < 1e6)) return new FaultFlaw("seconds", FlawReason.BelowZero);
-        return Count < 1 ? new FaultFlaw("count", FlawReason.BelowOne) : null;
+        if (moments != 1) return new FaultError("kind", FaultErrorReason.Moments);
+        if (AtSeconds is not null and not (>= 0.0 and < 1e9)) return new FaultError("atSeconds", FaultErrorReason.BelowZero);
+        if (AtSegment < 0) return new FaultError("atSegment", FaultErrorReason.BelowZero);
+        if (AtByte < 0) return new FaultError("atByte", FaultErrorReason.BelowZero);
+        if (NeedsAxis != (Axis is not null)) return NeedsAxis ? new FaultError("kind", FaultErrorReason.NoAxis) : new FaultError("axis", FaultErrorReason.HasNoAxis);
+        if (Axis is not (null or "A" or "B" or "C" or "D")) return new FaultError("axis", FaultErrorReason.OtherAxis);
+        if (ForSeconds is not null && !MayEnd) return new FaultError("forSeconds", FaultErrorReason.NeverEnds);
+        if (ForSeconds is not null and not (> 0.0 and < 1e9)) return new FaultError("forSeconds", FaultErrorReason.NotAboveZero);
+        if (Seconds is not (>= 0.0 and < 1e6)) return new FaultError("seconds", FaultErrorReason.BelowZero);
+        return Count < 1 ? new FaultError("count", FaultErrorReason.BelowOne) : null;
     }
-}
-
-/// <summary>The error in a fault.</summary>
-/// <param name="Field">Name of the field in a faults file.</param>
-public readonly record struct FaultFlaw(string Field, FlawReason Reason);
-
-/// <summary>The reason why a fault cannot occur.</summary>
-public enum FlawReason
-{
-    /// <summary>The fault has no trigger, or more than one.</summary>
-    Moments,
-
-    /// <summary>A number is below 0, or too large.</summary>
-    BelowZero,
-
-    /// <summary>A time is not above 0, or too large.</summary>
-    NotAboveZero,
-
-    /// <summary>A number is below 1.</summary>
-    BelowOne,
-
-    /// <summary>This kind of fault needs an axis.</summary>
-    NoAxis,
-
-    /// <summary>This kind of fault takes no axis.</summary>
-    HasNoAxis,
-
-    /// <summary>The axis is not A, B, C or D.</summary>
-    OtherAxis,
-
-    /// <summary>This kind of fault has no duration.</summary>
-    NeverEnds,
-}
-
-/// <summary>The kinds of scheduled faults.</summary>
-public enum FaultKind
-{
-    /// <summary>Answers are delayed.</summary>
-    Delay,
-
-    /// <summary>A command is lost: it is neither executed nor answered.</summary>
-    DropCommand,
-
-    /// <summary>A command is executed, but its answer is lost.</summary>
-    DropReply,
-
-    /// <summary>Garbage bytes precede the next answer.</summary>
-    Garbage,
-
-    /// <summary>Every link is cut, as by a disconnected cable; motion and programs continue.</summary>
-    Reset,
-
-    /// <summary>A limit switch is hit.</summary>
-    LimitSwitch,
-
-    /// <summary>The abort input is closed.</summary>
-    AbortInput,
-
-    /// <summary>A motor is switched off, as by off-on-error: the motion that drives its axis stops without a ramp.</summary>
-    MotorOff,
-
-    /// <summary>A shaft is blocked: its motor does not move, and the position error grows.</summary>
-    Jam,
-
-    /// <summary>The controller is switched off and on again: links, variables, programs and positions are lost, the burned state is restored (galil-dmc.md
-    /// A.6).</summary>
-    PowerCycle,
 }

@@ -142,10 +142,10 @@ public sealed class SimulatedController : IAsyncDisposable
 
     /// <summary>True when bytes on a served serial line take no time, for traffic whose timing is irrelevant. The listener on the line may set it; the new
     /// value already applies to the bytes of the current call.</summary>
-    public bool SerialCarriesAtOnce
+    public bool IsSerialInstant
     {
-        get => _core.Machine.Serial.CarriesAtOnce;
-        set => _core.Machine.Serial.CarriesAtOnce = value;
+        get => _core.Machine.Serial.IsInstant;
+        set => _core.Machine.Serial.IsInstant = value;
     }
 
     /// <summary>Cuts every link at once, as by a disconnected cable; motion and programs continue.</summary>
@@ -225,7 +225,7 @@ public sealed class SimulatedController : IAsyncDisposable
     public void Schedule(ScheduledFault fault)
     {
         ArgumentNullException.ThrowIfNull(fault);
-        if (fault.Flaw() is { } flaw) throw new ArgumentException($"{flaw.Field}: {flaw.Reason}", nameof(fault));
+        if (fault.Validate() is { } flaw) throw new ArgumentException($"{flaw.Field}: {flaw.Reason}", nameof(fault));
         _core.With(m => m.Faults.Add(fault));
     }
 

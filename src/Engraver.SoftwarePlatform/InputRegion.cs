@@ -40,7 +40,7 @@ public sealed class InputRegion : IDisposable
 
     public void Dispose() => _owner.Remove(this);
 
-    internal bool Holds(nint window, Point at, MouseButton button) => window == Window && button == Button && Area.Contains(at);
+    internal bool Contains(nint window, Point at, MouseButton button) => window == Window && button == Button && Area.Contains(at);
 
     internal bool Press() => _pressed();
 }

@@ -39,7 +39,7 @@ public sealed class InputRegions
     internal bool Press(nint window, Point at, MouseButton button)
     {
         InputRegion? hit;
-        lock (_gate) hit = _regions.FindLast(region => region.Holds(window, at, button));
+        lock (_gate) hit = _regions.FindLast(region => region.Contains(window, at, button));
         return hit is not null && hit.Press();
     }
 }

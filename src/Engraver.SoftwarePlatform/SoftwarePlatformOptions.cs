@@ -25,17 +25,3 @@ public sealed record SoftwarePlatformOptions
     /// <summary>Called once, on the input thread, when the display is gone. The application's lifetime is shut down right after it, with exit code 1.</summary>
     public Action<DisplayUnavailableException>? DisplayLost { get; init; }
 }
-
-/// <summary>Where windows appear and where input comes from: one of two cases.</summary>
-public abstract record FrontEnd
-{
-    private FrontEnd()
-    {
-    }
-
-    /// <summary>Real windows on an X server.</summary>
-    public sealed record X11 : FrontEnd;
-
-    /// <summary>Windows in memory, controlled through <paramref name="Desktop"/>; one application per desktop.</summary>
-    public sealed record Headless(HeadlessDesktop Desktop) : FrontEnd;
-}

@@ -19,14 +19,14 @@ internal sealed class Operator
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
     private readonly DesktopFixture _fixture;
-    private readonly PassingTime? _passing;
+    private readonly RunningClock? _runningClock;
 
     /// <param name="clock">By which machine and session go; one that a test moves passes while the operator waits or steps. Null is the wall's.</param>
     /// <param name="workFolder">The folder of the drawings; null is the samples.</param>
     public Operator(DesktopFixture fixture, string folder, TimeProvider? clock = null, string? workFolder = null)
     {
         _fixture = fixture;
-        _passing = clock is ManualTimeProvider moved ? new PassingTime(moved) : null;
+        _runningClock = clock is ManualTimeProvider moved ? new RunningClock(moved) : null;
         Session = new DesktopSession(new CommandEnvironment { Time = clock ?? TimeProvider.System, Folder = workFolder ?? RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
         Window = ((App)Application.Current!).OpenShell(Session);
         Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
@@ -70,14 +70,14 @@ internal sealed class Operator
         {
             Hands.Type(word);
             Hands.Press(Key.Enter);
-            Rest();
+            WaitUntilIdle();
         }
     }
 
     /// <summary>Waits until every input is processed and all results are shown.</summary>
-    public void Rest()
+    public void WaitUntilIdle()
     {
-        Until(() => !Desk.Queue.IsBusy && Desk.Queue.Idle.IsCompleted && Window.Model.Files.IsAtRest);
+        Until(() => !Desk.Queue.IsBusy && Desk.Queue.Idle.IsCompleted && Window.Model.Files.IsIdle);
         var settled = Desk.SettleAsync();
         Until(() => settled.IsCompleted && Window.CanvasSource.Shown.IsCompleted);
         Step();
@@ -117,33 +117,33 @@ internal sealed class Operator
         Step();
         var leaving = Session.DisposeAsync().AsTask();
         Until(() => leaving.IsCompleted);
-        _passing?.Dispose();
+        _runningClock?.Dispose();
     }
 }
 
 /// <summary>Advances the clock of a test at twice real time while the window's thread and the pool have time for it, so that the clock does not run ahead
 /// of a program on a busy computer.</summary>
-internal sealed class PassingTime : IDisposable
+internal sealed class RunningClock : IDisposable
 {
-    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
+    private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(5);
 
     /// <summary>Shorter than any wait of the program.</summary>
-    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(10);
+    private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(10);
 
     private readonly Timer _timer;
     private int _isPosted;
 
-    public PassingTime(ManualTimeProvider clock) => _timer = new Timer(_ => Pass(clock), null, s_look, s_look);
+    public RunningClock(ManualTimeProvider clock) => _timer = new Timer(_ => Advance(clock), null, s_interval, s_interval);
 
     public void Dispose() => _timer.Dispose();
 
-    private void Pass(ManualTimeProvider clock)
+    private void Advance(ManualTimeProvider clock)
     {
         if (Interlocked.Exchange(ref _isPosted, 1) != 0) return;
         Dispatcher.UIThread.Post(() =>
         {
             Volatile.Write(ref _isPosted, 0);
-            clock.Advance(s_moment);
+            clock.Advance(s_step);
         });
     }
 }

@@ -50,7 +50,7 @@ internal static class TextFit
 
     private static string? Complaint(TextBlock block)
     {
-        if (IsTold(block)) return null;
+        if (IsShownByTip(block)) return null;
         var needed = NeededBy(block);
         var room = block.Bounds.Size.Deflate(block.Padding);
         if (needed.Width > room.Width + Tolerance || needed.Height > room.Height + Tolerance)
@@ -64,7 +64,7 @@ internal static class TextFit
     private static string NameOf(Control control) => control is UserControl ? control.GetType().Name : control.Name is { Length: > 0 } name && !name.StartsWith("PART_", StringComparison.Ordinal) ? name : "";
 
     /// <summary>True for a text that may be shortened with dots because its tip, or that of a container, contains it completely.</summary>
-    private static bool IsTold(TextBlock block) => block.TextTrimming != TextTrimming.None
+    private static bool IsShownByTip(TextBlock block) => block.TextTrimming != TextTrimming.None
         && block.GetSelfAndVisualAncestors().OfType<Control>().Any(control => ToolTip.GetTip(control) is string tip && tip.Contains(WordsOf(block), StringComparison.Ordinal));
 
     private static string WordsOf(TextBlock block)

@@ -10,7 +10,7 @@ public class StoppableVerbTests
         using var said = new MemoryStream();
         using (var streams = new ConsoleStreams(said, TextWriter.Null))
         {
-            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new MachineInHand(), verb.Stop.Token);
+            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectedMachine(), verb.Stop.Token);
             await verb.Begun;
             await verb.Stop.CancelAsync();
 
@@ -27,8 +27,8 @@ public class StoppableVerbTests
         using var said = new MemoryStream();
         using (var streams = new ConsoleStreams(said, TextWriter.Null))
         {
-            var machine = new MachineInHand();
-            machine.Follow(true);
+            var machine = new ConnectedMachine();
+            machine.SetConnected(true);
             var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
             await verb.Begun;
             await verb.Stop.CancelAsync();
@@ -46,9 +46,9 @@ public class StoppableVerbTests
     {
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new MachineInHand();
-        machine.Follow(true);
-        machine.Follow(false);
+        var machine = new ConnectedMachine();
+        machine.SetConnected(true);
+        machine.SetConnected(false);
         var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
         await verb.Begun;
         await verb.Stop.CancelAsync();
@@ -72,13 +72,13 @@ public class StoppableVerbTests
     {
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new MachineInHand();
-        machine.Follow(true);
+        var machine = new ConnectedMachine();
+        machine.SetConnected(true);
         var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
         await verb.Begun;
         await verb.Stop.CancelAsync();
         Assert.False(running.IsCompleted);
-        machine.Follow(false);
+        machine.SetConnected(false);
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
     }
@@ -87,8 +87,8 @@ public class StoppableVerbTests
     public async Task A_verb_that_ends_in_the_moment_of_the_stop_says_itself_how_it_ended()
     {
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new MachineInHand();
-        machine.Follow(true);
+        var machine = new ConnectedMachine();
+        machine.SetConnected(true);
         for (var time = 0; time < 500; time++)
         {
             using var stop = new CancellationTokenSource();
@@ -109,7 +109,7 @@ public class StoppableVerbTests
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
         var endedOn = 0;
-        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new MachineInHand(), verb.Stop.Token);
+        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectedMachine(), verb.Stop.Token);
         var ended = running.ContinueWith(_ => endedOn = Environment.CurrentManagedThreadId, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         await verb.Begun;
         var signal = new Thread(verb.Stop.Cancel);

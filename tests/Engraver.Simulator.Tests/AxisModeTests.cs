@@ -6,7 +6,7 @@ public class AxisModeTests
     [Fact]
     public async Task IP_moves_at_rest_extends_a_move_and_jumps_in_a_jog()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("IPA=500").RunToIdle();
         Assert.Equal(500, rig.Value("_RPA"));
 
@@ -22,7 +22,7 @@ public class AxisModeTests
     [Fact]
     public async Task Under_PT_each_PA_moves_at_once_and_may_turn_round()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("PTA=1", "PAA=20000").Pass(300);
         Assert.Equal(1, rig.Value("_BGA"));
 
@@ -37,7 +37,7 @@ public class AxisModeTests
     [Fact]
     public async Task DE_sets_the_second_encoder_of_a_servo()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal((77, 0), (rig.Do("DEA=77").Value("_TDA"), rig.Value("_TPA")));
     }
@@ -47,7 +47,7 @@ public class AxisModeTests
     [InlineData("ES 1,4", 1000, 2000)]
     public async Task ES_scales_the_axis_with_the_coarser_resolution(string scale, int a, int b)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Do("VMAB", scale, "VP 1000,500", "VE", "BGS").RunToIdle();
 
@@ -57,7 +57,7 @@ public class AxisModeTests
     [Fact]
     public async Task IT_and_VT_make_moves_longer_and_end_at_the_same_place()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         var plain = rig.Run("PRA=5000\nBGA\nAMA\nEN");
 
         var smooth = rig.Do("ITA=0.1").Run("PRA=5000\nBGA\nAMA\nEN");
@@ -73,7 +73,7 @@ public class AxisModeTests
     [Fact]
     public async Task TM_scales_steps_TIME_and_speeds_on_segments_but_not_speeds()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Do("TM 250", "SPA=1006", "ACA=20000");
         Assert.Equal((1000, 16384, 250), (rig.Value("_SPA"), rig.Value("_ACA"), rig.Value("_TM")));
 
@@ -88,7 +88,7 @@ public class AxisModeTests
     [Fact]
     public async Task Variable_axes_stand_for_letters()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Do("~a=2", "PR~a=1000", "BG~a").RunToIdle();
 
@@ -101,7 +101,7 @@ public class AxisModeTests
     [Fact]
     public async Task LI_takes_a_single_axis()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Do("LMAB", "LIB=700<5000", "LE", "BGS").RunToIdle();
 

@@ -12,7 +12,7 @@ public class BreakdownTests
     public async Task A_bug_in_a_command_from_the_network_cuts_every_link_and_is_told()
     {
         using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StoppedTime(), Faults = AtTheThird });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StoppedTimeProvider(), Faults = AtTheThird });
         var place = await controller.ListenTcpAsync(0, patience.Token);
         await using var memory = controller.OpenConnection();
         using var client = await TcpClientEnd.ConnectAsync(place, patience.Token);
@@ -27,10 +27,10 @@ public class BreakdownTests
     [Fact]
     public async Task A_bug_on_the_thread_of_the_timer_is_told_too()
     {
-        var time = new StoppedTime();
+        var time = new StoppedTimeProvider();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = time });
         await using var client = controller.OpenConnection();
-        Assert.Equal("::", Rig.Exchange(client, "PRA=20000;BGA\r"));
+        Assert.Equal("::", SimulatorRig.Exchange(client, "PRA=20000;BGA\r"));
 
         time.Bug = new NotSupportedException("the clock broke");
         time.Advance(TimeSpan.FromMilliseconds(50));
@@ -44,7 +44,7 @@ public class BreakdownTests
     [Fact]
     public async Task A_client_in_the_same_process_meets_the_bug_itself()
     {
-        await using var rig = new Rig(new SimulatorOptions { Faults = AtTheThird });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Faults = AtTheThird });
         rig.Ask("x=1;x=2");
 
         Assert.Throws<InvalidOperationException>(() => rig.Ask("x=3"));
@@ -55,7 +55,7 @@ public class BreakdownTests
     public async Task Whoever_waits_for_a_state_of_the_controller_does_not_wait_for_ever()
     {
         using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(20));
-        await using var rig = new Rig(new SimulatorOptions { Faults = AtTheThird });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Faults = AtTheThird });
         var waiting = rig.Controller.WaitUntilAsync(_ => false, patience.Token);
         Assert.Throws<InvalidOperationException>(() => rig.Ask("x=1;x=2;x=3"));
 
@@ -65,7 +65,7 @@ public class BreakdownTests
     [Fact]
     public async Task Nothing_is_broken_while_all_is_well()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Ask("QQ");
 
         Assert.False(rig.Controller.Broken.IsCompleted);

@@ -18,7 +18,7 @@ public class CamTests
     [InlineData(5999, 1500)]
     public async Task A_slave_is_on_the_line_between_the_points_of_the_table(int master, int slave)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1");
 
         rig.Do($"PAA={master}", "BGA").RunToIdle();
@@ -35,7 +35,7 @@ public class CamTests
         var moves = Gen.Choose(-7000, 7000).Where(m => m != 0).ArrayOf(3);
         Prop.ForAll(table.ToArbitrary(), moves.ToArbitrary(), (points, ways) =>
         {
-            var rig = new Rig();
+            var rig = new SimulatorRig();
             rig.Do("EAA", $"EM {4 * interval},{Math.Abs(points[4] - points[0])}", $"EP {interval}");
             for (var i = 0; i < points.Length; i++) rig.Do($"ET[{i}]=,{points[i]}");
             rig.Do("EB 1", "EG ,-1", "SPA=20000");
@@ -51,7 +51,7 @@ public class CamTests
     [Fact]
     public async Task Positions_are_told_within_a_cycle_while_the_motion_goes_on()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1", "PRA=13000", "BGA").RunToIdle();
 
         Assert.Equal((1000, 1500), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -63,7 +63,7 @@ public class CamTests
     [Fact]
     public async Task The_slave_never_jumps_where_one_cycle_meets_the_next()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1", "SPA=20000", "PRA=20000", "BGA").RunToIdle();
 
         var steps = rig.Controller.Record.Snapshot().Zip(rig.Controller.Record.Snapshot().Skip(1), (a, b) => b.B - a.B).ToList();
@@ -76,7 +76,7 @@ public class CamTests
     [Fact]
     public async Task The_speed_of_a_slave_is_told_and_ends_with_its_master()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1", "JGA=2000", "BGA").Pass(300);
         Assert.Equal(3000, rig.Value("_TVB"));
 
@@ -88,7 +88,7 @@ public class CamTests
     [Fact]
     public async Task EG_and_EQ_wait_for_their_place_of_the_master()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "DPB=3000", "EG ,2000", "EQ ,4000", "SPA=10000", "PRA=1000", "BGA").RunToIdle();
         Assert.Equal((3000, 0, 3), (rig.Value("_RPB"), rig.Value("_EGB"), rig.Value("_EQB")));
 
@@ -103,7 +103,7 @@ public class CamTests
     [Fact]
     public async Task A_slave_that_stands_elsewhere_jumps_to_the_table_when_it_is_engaged()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("PAA=1000", "BGA").RunToIdle();
         rig.Do(Table).Do("DPB=1700", "EB 1", "EG ,-1").Pass(5);
 
@@ -113,7 +113,7 @@ public class CamTests
     [Fact]
     public async Task The_shift_of_EP_moves_the_graph_at_once()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1", "PAA=2000", "BGA").RunToIdle();
 
         rig.Do("EP ,1000").Pass(5);
@@ -129,7 +129,7 @@ public class CamTests
     [InlineData("EQ ,-1", 61)]
     public async Task What_ends_the_cam_lets_the_slave_stand_while_a_jogging_master_may_go_on(string end, int stopCode)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Do("EB 1", "EG ,-1", "JGA=1000", "BGA").Pass(500);
         Assert.NotEqual(0, rig.Value("_RPB"));
 
@@ -142,7 +142,7 @@ public class CamTests
     [Fact]
     public async Task A_limit_switch_ends_the_cam_of_its_slave()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(1) { ForwardLimitAt = 1000 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(1) { ForwardLimitAt = 1000 }] });
 
         rig.Do(Table).Do("EB 1", "EG ,-1", "SPA=2000", "PRA=2000", "BGA").RunToIdle();
 
@@ -153,7 +153,7 @@ public class CamTests
     [Fact]
     public async Task A_virtual_master_drives_the_cam_and_gears_of_it_do_not_notice_its_cycle()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("EAN", "EMN=1000", "EMB=0", "EP 500", "EC 0", "ET ,0", "ET ,200", "ET ,0", "EB 1", "EG ,-1", "GAC=N", "GRC=1");
 
         rig.Do("PRN=2250", "BGN").RunToIdle();
@@ -165,7 +165,7 @@ public class CamTests
     [Fact]
     public async Task A_program_waits_with_MF_for_the_master()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Table).Run("EB 1\nEG ,1000\nDPB=1500\nPRA=4000\nBGA\nMFA=2000\nhigh=_RPB\nAMA\nlow=_RPB\nEB 0\nEN");
 
         Assert.InRange(rig.Value("high"), 2900, 3000);
@@ -193,7 +193,7 @@ public class CamTests
     [InlineData("EAA;EM 6000;EB 1;PRB=90000;BGB;EG ,-1", 7)]
     public async Task What_does_not_fit_the_cam_is_told_by_its_code(string line, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var reply = rig.Ask(line);
 
@@ -211,7 +211,7 @@ public class CamTests
     [InlineData("MG _EMA,_EMB,_EB", " 6000.0000 1500.0000 0.0000\r\n:")]
     public async Task The_cam_is_read_back(string query, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(reply, rig.Do(Table).Ask(query));
     }

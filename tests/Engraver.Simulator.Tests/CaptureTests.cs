@@ -6,7 +6,7 @@ public class CaptureTests
     [Fact]
     public async Task Every_source_fills_its_array_at_its_rate()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Do("DM p[10],t[10],o[10]", "RA p[],t[],o[]", "RD _RPA,TIME,_OP", "JGA=10000", "BGA").Pass(200);
         var start = (rig.Value("TIME"), rig.Value("_RPA"));
 
@@ -24,7 +24,7 @@ public class CaptureTests
     [Fact]
     public async Task Without_a_count_the_shortest_array_decides()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DM p[10],q[3]", "RA p[],q[]", "RD TIME,TIME", "RC 1").Pass(100);
 
         Assert.Equal((3, 0), (rig.Value("_RD"), rig.Value("p[3]")));
@@ -34,7 +34,7 @@ public class CaptureTests
     [Fact]
     public async Task A_negative_count_goes_round_until_RC_0()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DM p[4]", "RA p[]", "RD TIME", "RC 1,-4").Pass(100);
         Assert.Equal(1, rig.Value("_RC"));
 
@@ -48,7 +48,7 @@ public class CaptureTests
     [Fact]
     public async Task At_max_a_recording_is_an_event_that_a_silent_host_gets()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DM p[100]", "RA p[]", "RD TIME", "RC 8");
 
         rig.Time.Advance(TimeSpan.FromMilliseconds(20));
@@ -73,7 +73,7 @@ public class CaptureTests
     [InlineData("DM eightchr[4];RA eightchr[]", 82)]
     public async Task What_cannot_be_recorded_is_told_by_its_code(string line, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var reply = rig.Ask(line);
 

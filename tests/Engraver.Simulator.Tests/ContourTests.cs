@@ -12,7 +12,7 @@ public class ContourTests
     [Fact]
     public async Task Increments_are_straight_lines_over_their_intervals()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Run("CMA\nDT 2\nCD 48;WC\nDT 3\nCD 240;WC\nDT 4\nCD 48;WC\nDT0;CD0\nEN");
 
         var places = rig.Controller.Record.Snapshot().Select(s => s.A).SkipWhile(a => a == 0).ToList();
@@ -24,7 +24,7 @@ public class ContourTests
     [Fact]
     public async Task CD_0_with_interval_0_ends_the_mode_and_the_buffer_tells_its_room()
     {
-        await using var rig = new Rig(Newer);
+        await using var rig = new SimulatorRig(Newer);
         rig.Do("CM AB", "DT 8", "CD 200,-350", "CD 100,200=4", "CD ,7", "CD 0,0=0");
         Assert.Equal(508, rig.Value("_CM"));
         Assert.Equal((50, 50, 1), (rig.Value("_SCA"), rig.Value("_SCB"), rig.Value("_BGA")));
@@ -41,7 +41,7 @@ public class ContourTests
         var records = Gen.Choose(-900, 900).Zip(Gen.Choose(1, 6)).ArrayOf(12);
         Prop.ForAll(records.ToArbitrary(), contour =>
         {
-            var rig = new Rig(Newer with { CommandCost = TimeSpan.Zero });
+            var rig = new SimulatorRig(Newer with { CommandCost = TimeSpan.Zero });
             rig.Do("CMA");
             foreach (var (increment, exponent) in contour) rig.Do($"CD {increment}={exponent}");
             rig.Do("CD 0=0");
@@ -54,7 +54,7 @@ public class ContourTests
     [Fact]
     public async Task One_record_waits_behind_the_executing_one_and_a_further_one_is_refused()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CMA", "DT 8", "CD 100").Pass(5);
         Assert.Equal(1, rig.Value("_CM"));
 
@@ -67,7 +67,7 @@ public class ContourTests
     [Fact]
     public async Task A_late_record_finds_the_axes_standing_and_code_42()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CMA", "DT 1", "CD 100").Pass(50);
         Assert.Equal((100, 42, 50, 0), (rig.Value("_RPA"), rig.Value("_TC"), rig.Value("_SCA"), rig.Value("_BGA")));
         Assert.Equal(0x21, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
@@ -80,7 +80,7 @@ public class ContourTests
     [Fact]
     public async Task At_max_a_begun_contour_waits_for_its_host()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CMA", "DT 8", "CD 1000", "CD 1000");
 
         rig.Time.Advance(TimeSpan.FromSeconds(1.9));
@@ -95,7 +95,7 @@ public class ContourTests
     [InlineData("AB 1", 7)]
     public async Task A_stop_ends_the_mode_where_the_axes_are(string stop, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CMAB", "DT 8", "CD 1000,500", "CD 1000,500").Pass(50).Do(stop);
         var place = rig.Value("_RPA");
 
@@ -106,7 +106,7 @@ public class ContourTests
     [Fact]
     public async Task A_limit_ends_the_contour_of_all_its_axes()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(1) { ForwardLimitAt = 200 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(1) { ForwardLimitAt = 200 }] });
 
         rig.Do("CMAB", "DT 8", "CD 1000,500").RunToIdle();
 
@@ -117,7 +117,7 @@ public class ContourTests
     [Fact]
     public async Task The_record_shows_the_mode_the_direction_and_the_speed()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CMA", "DT 8", "CD -5120").Pass(50);
 
         var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
@@ -131,7 +131,7 @@ public class ContourTests
     [Fact]
     public async Task Intervals_count_samples_of_TM()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
 
         rig.Do("TM 500", "CMA", "DT 8", "CD 512").Pass(64);
 
@@ -141,7 +141,7 @@ public class ContourTests
     [Fact]
     public async Task A_trajectory_that_was_recorded_is_played_again()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DM px[33],dx[33]", "RA px[]", "RD _TPA");
         rig.Run("#TEACH\nRC 3,33\nPRA=3000\nBGA\n#W\nJP#W,_RC=1\nEN");
         rig.Run("i=0\n#D\ndx[i]=px[i+1]-px[i]\ni=i+1\nJP#D,i<32\nEN");
@@ -172,7 +172,7 @@ public class ContourTests
     [InlineData("PRA=9000;BGA;CMA", 7)]
     public async Task What_does_not_fit_a_contour_is_told_by_its_code(string line, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var reply = rig.Ask(line);
 

@@ -8,7 +8,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX1_line_ends_at_the_programmed_point_and_repeats_relative_to_its_start()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("x=3000;y=4000");
 
         var seconds = rig.Run(ExamplePrograms.Line);
@@ -24,7 +24,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX2_half_circle_counter_clockwise()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var seconds = rig.Run(ExamplePrograms.Arc);
 
@@ -36,7 +36,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX2_quarter_circle_clockwise()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Run(ExamplePrograms.Arc.Replace("CR 2500,0,180", "CR 2500,0,-90", StringComparison.Ordinal));
 
@@ -46,7 +46,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX3_full_circle_with_pen_down_only_around_the_motion()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var seconds = rig.Run(ExamplePrograms.Circle);
 
@@ -61,7 +61,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX4_track_passes_its_corner_points_and_tells_its_progress()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Download(ExamplePrograms.Track).Do("XQ");
 
         rig.Controller.AdvanceUntil(_ => rig.Controller.Record.Count > 0 && rig.Value("_AV") >= 2000, TimeSpan.FromSeconds(2));
@@ -79,13 +79,13 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX5_drawing_of_the_paper_with_pen()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CFI", "CW2").Download(ExamplePrograms.Draw).Do("XQ");
         var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
-        Assert.Equal("DONE 5000.0000 5000.0000\r\n", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("DONE 5000.0000 5000.0000\r\n", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.InRange((rig.Controller.Status.Sample - start) / 1000.0, 5.33, 5.33 + (2 * InstructionTime));
         Assert.Equal((45707, 0), (rig.Value("_AV"), rig.Value("_OP0")));
         var samples = rig.Controller.Record.Snapshot();
@@ -107,7 +107,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX6_tangent_axis_turns_half_a_turn()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var seconds = rig.Run(ExamplePrograms.Knife);
 
@@ -123,7 +123,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX7_linear_interpolation_of_three_axes()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var seconds = rig.Run(ExamplePrograms.Linear3D);
 
@@ -137,7 +137,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX8_homing_stops_on_the_limit_switch_and_zeroes()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { ReverseLimitAt = -3000 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(0) { ReverseLimitAt = -3000 }] });
         rig.Do("CFI").Download(ExamplePrograms.HomeOnLimit).Do("XQ");
         var start = rig.Controller.Status.Sample;
         rig.Controller.AdvanceUntil(_ => rig.Value("_SCA") == 3, TimeSpan.FromSeconds(2));
@@ -145,7 +145,7 @@ public class ExampleProgramTests
         rig.RunToIdle();
 
         Assert.InRange(rig.Controller.Record.Snapshot().Min(s => s.A), -3036, -3031);
-        Assert.Equal("HOMED A 0.0000\r\n", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("HOMED A 0.0000\r\n", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.Equal((1, 0), (rig.Value("homed"), rig.Value("_RPA")));
         Assert.InRange((rig.Controller.Status.Sample - start) / 1000.0, 1.75, 1.85);
     }
@@ -153,7 +153,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX8_started_on_the_switch_skips_the_jog()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.SetLimitSwitch(0, forward: false, active: true);
 
         rig.Download(ExamplePrograms.HomeOnLimit).Do("XQ").RunToIdle();
@@ -165,10 +165,10 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX9_a_bad_line_ends_its_thread_and_runs_CMDERR_in_thread_0()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0").Pass(20);
 
-        var messages = rig.Ask("XQ#BAD,1") + Rig.ReadAvailable(rig.Pass(50).Stream);
+        var messages = rig.Ask("XQ#BAD,1") + SimulatorRig.ReadAvailable(rig.Pass(50).Stream);
 
         Assert.EndsWith("CMDERR 6.0000\r\n", messages);
         Assert.Equal((1, 6, -1, 1), (rig.Value("nerr"), rig.Value("lerr"), rig.Value("_XQ1"), rig.Value("_HX0") > 0 ? 1 : 0));
@@ -177,7 +177,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX9_a_limit_runs_LIMSWI_which_stops_the_sequence()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0", "SB1", "VMAB", "VP 100000,0", "VE", "BGS").Pass(500);
 
         rig.Controller.SetLimitSwitch(0, forward: true, active: true);
@@ -189,23 +189,23 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX9_a_position_error_beyond_ER_runs_POSERR_which_aborts_the_motion()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0", "SB1", "ERA=500", "PRA=100000", "BGA").Pass(100);
 
         rig.Controller.HoldMotor(0, true);
         rig.Pass(500);
 
-        Assert.Matches(@"^POSERR 5\d\d\.0000 0\.0000\r\n$", Rig.ReadAvailable(rig.Stream));
+        Assert.Matches(@"^POSERR 5\d\d\.0000 0\.0000\r\n$", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.Equal((1, 0, 0, 7), (rig.Value("npos"), rig.Value("_OP0"), rig.Value("_BGA"), rig.Value("_SCA")));
     }
 
     [Fact]
     public async Task EX10_feeder_loop_refills_a_full_buffer()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CFI").Download(ExamplePrograms.Stream).Do("XQ").RunToIdle();
 
-        Assert.Equal("END 0.0000 0.0000\r\n", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("END 0.0000 0.0000\r\n", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.InRange(rig.Value("_AV"), 31400, 31425);
         Assert.Equal(0, rig.Controller.Status.Underruns);
     }
@@ -213,7 +213,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX11_server_draws_what_the_host_assigns()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download(ExamplePrograms.Server).Do("XQ").Pass(20);
         string[] calls =
         [
@@ -233,21 +233,21 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX12_watchdog_trips_after_one_second_without_a_heartbeat()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CFI").Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1");
         var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
         Assert.InRange(rig.Controller.Status.Sample - start, 1000, 1050);
-        Assert.Equal("HOST LOST\r\n", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("HOST LOST\r\n", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.Equal(1, rig.Value("wtrip"));
     }
 
     [Fact]
     public async Task EX13_corner_speeds_are_reached_at_the_end_of_their_segments()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var seconds = rig.Run(ExamplePrograms.Square);
 
@@ -261,7 +261,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task Theory_example_of_the_manual_has_its_length_and_duration()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VS 100000", "VA 2048000", "VD 2048000", "VP 0,10000", "CR 10000,180,-90", "VP 20000,20000", "VE");
 
         rig.Do("BGS").RunToIdle();
@@ -274,7 +274,7 @@ public class ExampleProgramTests
     [Fact]
     public async Task Check_example_of_B1_progress_inside_the_first_and_second_segment()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Do("LM XY", "VS 10000", "LI 5000,0", "LI 0,5000", "LE", "BGS");
 
         rig.Controller.AdvanceUntil(_ => rig.Value("_RPX") >= 3000, TimeSpan.FromSeconds(2));

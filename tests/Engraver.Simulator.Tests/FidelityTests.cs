@@ -37,7 +37,7 @@ public class FidelityTests
     [Fact]
     public async Task A_missing_command_is_refused_with_code_1()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.All(new[] { "OCA=1", "GDA=0", "EW 1=5", "LD ?", "CO 1", "EO 0" }, c => Assert.Equal(1, rig.Refusal(c)));
     }
@@ -83,7 +83,7 @@ public class FidelityTests
     [InlineData("_KPA", 6)]
     public async Task Operands_have_their_power_up_values(string operand, double value)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(value, rig.Value(operand));
     }

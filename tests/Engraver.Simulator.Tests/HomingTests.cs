@@ -12,7 +12,7 @@ public class HomingTests
     [InlineData("CN ,1", true, 1)]
     public async Task The_home_input_reads_as_its_polarity_says(string polarity, bool grounded, int level)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.SetHomeSwitch(0, grounded);
 
         Assert.Equal(level, rig.Do(polarity).Value("_HMA"));
@@ -21,7 +21,7 @@ public class HomingTests
     [Fact]
     public async Task FE_stops_behind_the_edge_with_code_9()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { HomeAt = 1000 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(0) { HomeAt = 1000 }] });
         rig.Do("CN ,1", "SPA=4000", "FEA", "BGA"); // open with CN 1 reads 0: forward
 
         rig.RunToIdle();
@@ -33,7 +33,7 @@ public class HomingTests
     [Fact]
     public async Task FI_goes_back_to_the_index_and_calls_it_zero()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { IndexAt = 1500 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(0) { IndexAt = 1500 }] });
         rig.Do("JGA=4000", "FIA", "BGA");
 
         rig.RunToIdle();
@@ -47,7 +47,7 @@ public class HomingTests
     [Fact]
     public async Task HM_of_a_servo_finds_the_edge_slowly_and_ends_on_the_index()
     {
-        await using var rig = new Rig(Home);
+        await using var rig = new SimulatorRig(Home);
         rig.Do("CN ,1", "SPA=8000", "HMA"); // the switch is pressed at the start and reads 1: backward
 
         rig.Do("BGA").RunToIdle();
@@ -62,7 +62,7 @@ public class HomingTests
     [Fact]
     public async Task HM_of_a_stepper_ends_at_the_edge_without_zeroing()
     {
-        await using var rig = new Rig(Home);
+        await using var rig = new SimulatorRig(Home);
         rig.Do("MOA", "MTA=2", "SHA", "CN ,1", "SPA=8000", "HMA", "BGA").RunToIdle();
 
         Assert.Equal(10, rig.Value("_SCA"));
@@ -72,7 +72,7 @@ public class HomingTests
     [Fact]
     public async Task Homing_is_not_possible_in_motion_and_a_stop_ends_it()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("JGA=1000", "BGA");
 
         Assert.Equal(7, rig.Refusal("HMA"));

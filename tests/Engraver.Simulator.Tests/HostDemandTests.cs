@@ -12,7 +12,7 @@ public class HostDemandTests
     [InlineData("MG\"a;b:c\";MG\"d\"\r", "a;b:c\r\n:d\r\n:")]
     public async Task Point_1_n_parts_give_n_prompts(string sent, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(reply, rig.SendRaw(sent));
     }
@@ -20,7 +20,7 @@ public class HostDemandTests
     [Fact] // point 2
     public async Task Point_2_a_refused_part_answers_alone_and_the_rest_is_executed()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(":??:", rig.Ask("x=1;QQ;SPA=-;y=2"));
         Assert.Equal((1, 2), (rig.Value("x"), rig.Value("y")));
@@ -32,7 +32,7 @@ public class HostDemandTests
     [InlineData("DL\r\n#A\r\nEN\r\n\x1A\r\n")]
     public async Task Point_3_a_download_in_one_piece_or_byte_by_byte(string text)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("::", rig.SendRaw(text));
         Assert.Equal("::", string.Concat(text.Select(c => rig.SendRaw(c.ToString()))));
@@ -42,7 +42,7 @@ public class HostDemandTests
     [Fact] // point 4
     public async Task Point_4_uploads_end_with_control_Z_and_a_prompt()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("\r\n\x1A:", rig.Ask("UL"));
         Assert.Equal(" 0.0000\r\n\x1A:", rig.Do("DM p[1]").Ask("QU p[]"));
@@ -52,11 +52,11 @@ public class HostDemandTests
     [Fact] // point 5
     public async Task Point_5_with_the_factory_CF_nobody_on_Ethernet_hears_a_message()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("MG \"HI\"\nEN").Do("CW 1", "XQ").Pass(20);
-        Assert.Equal("", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("", SimulatorRig.ReadAvailable(rig.Stream));
 
-        var heard = rig.Do("CF A").Ask("XQ") + Rig.ReadAvailable(rig.Pass(20).Stream);
+        var heard = rig.Do("CF A").Ask("XQ") + SimulatorRig.ReadAvailable(rig.Pass(20).Stream);
 
         Assert.Equal(":\u00C8\u00C9\u008D\u008A", heard);
     }
@@ -64,11 +64,11 @@ public class HostDemandTests
     [Fact] // point 6
     public async Task Point_6_handles_close_with_and_without_the_arrow()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var first = rig.Controller.OpenConnection();
         using var second = rig.Controller.OpenConnection();
 
-        Assert.Equal(":", Rig.Exchange(first, "IHS=-3\r"));
+        Assert.Equal(":", SimulatorRig.Exchange(first, "IHS=-3\r"));
         Assert.Equal((6, 0), (rig.Value("_IA2"), rig.Value("_IHB2")));
         Assert.Equal(":", rig.Ask("IHT=-3"));
         Assert.Equal((7, 2), (rig.Value("_IA2"), rig.Value("_IHA2")));
@@ -77,7 +77,7 @@ public class HostDemandTests
     [Fact] // point 7
     public async Task Point_7_the_record_tells_direction_and_speed_of_every_kind_of_motion()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("GAB=A", "GRB=-2", "JGA=5000", "JGC=-3000", "BGAC").Pass(200);
 
         var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
@@ -90,7 +90,7 @@ public class HostDemandTests
     [Fact] // point 7
     public async Task Point_7_the_record_tells_the_phases_of_a_motion()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nWT 5000\nEN").Do("PRC=10000", "BGC", "VMAB", "VP 9000,0", "VE", "BGS");
 
         var phases = new List<(int General, int Plane, int Axis)>();
@@ -113,7 +113,7 @@ public class HostDemandTests
     [Fact] // point 8
     public async Task Point_8_blank_and_surplus_fields_and_decimals_are_taken()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Do("CA S;CS S;LM AB;VAS=8192;VDS=8192;VSS=8000", "LI 1600,-800,,,;LE", "BG S").RunToIdle();
         Assert.Equal((1600, -800), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -128,7 +128,7 @@ public class HostDemandTests
     [Fact] // point 9
     public async Task Point_9_names_that_begin_like_commands_are_names()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("speedA=3", "stop1=4", "slimflA=5", "g_hmstA=6", "ENDx=7", "STATE=8");
         rig.Run("#Hm_rdz;n=0\nIF (1=1);n=n+1;ENDIF;n=n+10\nJP#Hm_go\nEN\n#Hm_go;n=n+100;EN");
 
@@ -138,7 +138,7 @@ public class HostDemandTests
     [Fact] // point 10
     public async Task Point_10_accelerations_are_floored_and_arithmetic_runs_to_the_right()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("ACA=73422;DCA=73422;VA 20000;VD 20000");
 
         Assert.Equal((72704, 72704, 19456, 19456), (rig.Value("_ACA"), rig.Value("_DCA"), rig.Value("_VAS"), rig.Value("_VDS")));
@@ -148,7 +148,7 @@ public class HostDemandTests
     [Fact] // point 11
     public async Task Point_11_a_long_program_of_the_field_is_read_as_it_is()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         var lines = Enumerable.Range(0, 52).SelectMany(i => (string[])
         [
             $"#Label{i}", "'a note; x=99", "NO a note", $"  \tn = n + 1 ;' behind", ";;n=n;", "IF (((((n>0)&(n>0))&((n>0)))));m=m+1;ENDIF", i < 51 ? $"JP#Label{i + 1}" : "EN",
@@ -168,7 +168,7 @@ public class HostDemandTests
     [InlineData("@ABS[-1],@IN[1],@INT[1.5]{F2.1}{N}")]
     public async Task Point_12_operands_and_functions_of_public_programs(string list)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.EndsWith(":", rig.Ask("MG " + list));
     }
@@ -176,7 +176,7 @@ public class HostDemandTests
     [Fact] // point 12
     public async Task Point_12_what_belongs_to_other_families_and_options_is_refused()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.All(new[] { "LD 3", "HV 100", "MG _LDA", "MG ^c", "PVA=1,2,3", "MG @AN[1]", "AQ 1,2" }, c => Assert.Equal("?", rig.Ask(c)));
         Assert.Equal(":", rig.Ask("~a=2"));
@@ -185,7 +185,7 @@ public class HostDemandTests
     [Fact] // point 13
     public async Task Point_13_start_values_latency_and_address_are_settings()
     {
-        await using var rig = new Rig(new SimulatorOptions
+        await using var rig = new SimulatorRig(new SimulatorOptions
         {
             MessagePort = 'A', MessageMarking = 1, CommandCost = TimeSpan.FromMilliseconds(10), Address = new System.Net.IPAddress([10, 0, 0, 7]),
             Switches = [new AxisSwitches(0) { ForwardLimitAt = 0 }],

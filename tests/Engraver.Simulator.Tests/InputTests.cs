@@ -8,7 +8,7 @@ public class InputTests
     [Fact]
     public async Task A_watched_input_runs_ININT_and_RI_arms_it_again()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download(Interrupted).Do("XQ#AUTO").Pass(50);
         Assert.Equal(0x89, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
 
@@ -28,7 +28,7 @@ public class InputTests
     [InlineData("CN ,,1", true)]
     public async Task A_latch_keeps_the_position_at_its_edge(string polarity, bool level)
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Controller.SetInput(1, !level);
         rig.Do(polarity, "ALA", "JGA=10000", "BGA").Pass(500);
         Assert.Equal(1, rig.Value("_ALA"));
@@ -44,7 +44,7 @@ public class InputTests
     [Fact]
     public async Task ALT_latches_on_the_index()
     {
-        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(1) { IndexAt = 1234 }] });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Switches = [new AxisSwitches(1) { IndexAt = 1234 }] });
 
         rig.Do("ALTB", "PRB=3000", "BGB").RunToIdle();
 
@@ -54,7 +54,7 @@ public class InputTests
     [Fact]
     public async Task Selective_abort_stops_its_axis_at_once_when_CN_says_so()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("CN ,,,1", "JGA=10000;JGB=10000", "BGAB").Pass(100);
 
         rig.Controller.SetInput(6, false);
@@ -65,9 +65,9 @@ public class InputTests
     [Fact]
     public async Task A_message_to_a_lost_handle_runs_TCPERR()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         var second = rig.Controller.OpenConnection();
-        Rig.Exchange(second, "CFI\r");
+        SimulatorRig.Exchange(second, "CFI\r");
         rig.Download("#AUTO\nlost=0\n#LOOP\nWT 20\nMG \"ALIVE\"\nJP#LOOP\nEN\n#TCPERR\nlost=_TC\nRE1\n").Do("XQ").Pass(100);
 
         await second.DisposeAsync();

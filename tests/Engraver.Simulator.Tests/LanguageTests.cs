@@ -40,7 +40,7 @@ public class LanguageTests
     [InlineData("5,-6", " 5.0000 -6.0000")]
     public async Task Expressions_run_from_left_to_right_in_fixed_point(string expression, string printed)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(printed + "\r\n:", rig.Ask("MG " + expression));
     }
@@ -73,7 +73,7 @@ public class LanguageTests
     [InlineData("DR 10", 133)]
     public async Task What_is_wrong_is_told_by_its_code(string command, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(code, rig.Refusal(command));
     }
@@ -90,7 +90,7 @@ public class LanguageTests
     [Fact]
     public async Task Nested_conditions_share_lines()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         const string program = """
             #A;n=0;i=0
             #LOOP
@@ -109,7 +109,7 @@ public class LanguageTests
     [Fact]
     public async Task A_missing_ENDIF_is_code_63()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Run("IF (1=2)\nx=1\nEN");
 
@@ -119,7 +119,7 @@ public class LanguageTests
     [Fact]
     public async Task Subroutines_go_16_deep()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Run("n=0\n#A\nn=n+1\nJS#A\nEN");
 
@@ -130,7 +130,7 @@ public class LanguageTests
     [Fact]
     public async Task A_subroutine_gives_back_the_third_argument_of_its_EN()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Run("JS#HALF;a=_JS\nJS#NONE;b=_JS\nEN\n#HALF\nEN ,,7/2\n#NONE\nEN");
 
@@ -140,20 +140,20 @@ public class LanguageTests
     [Fact]
     public async Task TR_tells_every_line_before_it_runs()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nx=1;x=2\nJS#B\nEN\n#B\nMG \"B\";EN").Do("CFI", "TR 1");
 
-        var said = rig.Ask("XQ") + Rig.ReadAvailable(rig.RunToIdle().Stream);
+        var said = rig.Ask("XQ") + SimulatorRig.ReadAvailable(rig.RunToIdle().Stream);
 
         Assert.Equal(":1 x=1;x=2\r\n2 JS#B\r\n5 MG \"B\";EN\r\nB\r\n3 EN\r\n", said);
         Assert.Equal(" 1\r\n:", rig.Ask("TR ?"));
-        Assert.Equal(":B\r\n", rig.Do("TR 0").Ask("XQ #B") + Rig.ReadAvailable(rig.RunToIdle().Stream));
+        Assert.Equal(":B\r\n", rig.Do("TR 0").Ask("XQ #B") + SimulatorRig.ReadAvailable(rig.RunToIdle().Stream));
     }
 
     [Fact]
     public async Task Without_CMDERR_an_error_stops_all_threads()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#BAD\nVP 1\nEN\n#LOOP\nWT 10\nJP#LOOP").Do("XQ#LOOP,3").Pass(30);
         Assert.Equal(8, rig.Value("_NO"));
 
@@ -165,7 +165,7 @@ public class LanguageTests
     [Fact]
     public async Task With_CMDERR_only_the_faulty_thread_stops_when_thread_0_runs()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         const string program = "#LOOP\nWT 10\nJP#LOOP\n#BAD\nVP 1\nEN\n#CMDERR\nc=_TC\nEN1";
         rig.Download(program).Do("XQ#LOOP,0", "XQ#LOOP,3").Pass(30).Do("XQ#BAD,1").Pass(10);
 
@@ -177,7 +177,7 @@ public class LanguageTests
     [InlineData(false, 1)]
     public async Task Handlers_need_a_running_thread_0_when_the_switch_says_so(bool needed, int handled)
     {
-        await using var rig = new Rig(new SimulatorOptions { HandlersNeedThreadZero = needed });
+        await using var rig = new SimulatorRig(new SimulatorOptions { HandlersNeedThreadZero = needed });
         rig.Download("#BAD\nVP 1\nEN\n#CMDERR\nn=1\nEN").Do("n=0", "XQ#BAD,1").Pass(20);
 
         Assert.Equal((handled, 0), (rig.Value("n"), rig.Value("_NO")));
@@ -186,7 +186,7 @@ public class LanguageTests
     [Fact]
     public async Task An_error_inside_CMDERR_stops_everything()
     {
-        await using var rig = new Rig(new SimulatorOptions { HandlersNeedThreadZero = false });
+        await using var rig = new SimulatorRig(new SimulatorOptions { HandlersNeedThreadZero = false });
         rig.Download("#LOOP\nWT 10\nJP#LOOP\n#CMDERR\nn=n+1\nVP 1\nEN1\n#BAD\nVP 1").Do("n=0", "XQ#LOOP,0", "XQ#LOOP,3").Pass(20);
 
         rig.Do("XQ#BAD,1").Pass(50);
@@ -197,7 +197,7 @@ public class LanguageTests
     [Fact]
     public async Task Threads_take_turns_line_by_line_and_pay_for_every_command()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\na=a+1\nJP#A\n#B\nb=b+1;b=b+1;b=b+1;b=b+1;b=b+1\nJP#B").Do("a=0;b=0", "XQ#A,1", "XQ#B,2").Pass(1000);
 
         // In one round A runs 2 commands and B 6, 0.5 ms each: 4 ms.
@@ -208,7 +208,7 @@ public class LanguageTests
     [Fact]
     public async Task AT_keeps_a_period_whatever_the_loop_costs()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("n=0;AT0\n#A\nAT -20\nn=n+1\nJP#A").Do("XQ").Pass(1000);
 
         Assert.InRange(rig.Value("n"), 49, 51);
@@ -217,24 +217,24 @@ public class LanguageTests
     [Fact]
     public async Task Statements_of_the_field_are_understood()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         const string program = "#Hm_rdz;g_st=1\n  \tx = 5 ;' a note\nNO nothing\nMG {F4.0} x {N}\nEN ,,5\n'";
 
         rig.Do("CFI").Download(program).Do("XQ").Pass(10);
 
-        Assert.Equal(" 0005", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal(" 0005", SimulatorRig.ReadAvailable(rig.Stream));
         Assert.Equal(1, rig.Value("g_st"));
     }
 
     [Fact]
     public async Task BP_and_RS_restore_the_burned_program_and_start_AUTO()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#AUTO\nauto=7\nEN").Do("BP").Ask("RS");
 
         using var again = rig.Controller.OpenConnection();
         rig.Pass(10);
 
-        Assert.Equal(" 7.0000\r\n:", Rig.Exchange(again, "MG auto\r"));
+        Assert.Equal(" 7.0000\r\n:", SimulatorRig.Exchange(again, "MG auto\r"));
     }
 }

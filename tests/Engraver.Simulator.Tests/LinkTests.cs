@@ -82,13 +82,13 @@ public class LinkTests
         Assert.Equal(0, await memory.ReadAsync(new byte[1], limit.Token));
         Assert.Throws<IOException>(() => memory.Write([13]));
         using var again = controller.OpenConnection();
-        Assert.Equal(" 7.0000\r\n:", Rig.Exchange(again, "MG x\r"));
+        Assert.Equal(" 7.0000\r\n:", SimulatorRig.Exchange(again, "MG x\r"));
     }
 
     [Fact]
     public async Task IHT_closes_the_others_and_IHS_the_sender_behind_its_prompt()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var other = rig.Controller.OpenConnection();
 
         Assert.Equal(":", rig.Ask("IHT=>-3"));
@@ -102,7 +102,7 @@ public class LinkTests
     [Fact]
     public async Task Planned_refusals_and_drops_happen_at_their_command()
     {
-        await using var rig = new Rig(new SimulatorOptions
+        await using var rig = new SimulatorRig(new SimulatorOptions
         {
             Faults = new FaultPlan { Refusals = [new CommandRefusal(2, 32)], Drops = [new HandleDrop(0, 4)] },
         });
@@ -128,7 +128,7 @@ public class LinkTests
     [Fact]
     public async Task A_frozen_controller_answers_nothing_while_its_motion_goes_on()
     {
-        await using var rig = new Rig(new SimulatorOptions { Faults = new FaultPlan { FreezeAfterCommands = 2 } });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Faults = new FaultPlan { FreezeAfterCommands = 2 } });
         rig.Do("PRA=5000", "BGA");
 
         Assert.Equal("", rig.Ask("TP"));
@@ -140,12 +140,12 @@ public class LinkTests
     [Fact]
     public async Task Late_replies_come_after_their_delay()
     {
-        await using var rig = new Rig(new SimulatorOptions { Faults = new FaultPlan { ReplyDelay = TimeSpan.FromMilliseconds(50) } });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Faults = new FaultPlan { ReplyDelay = TimeSpan.FromMilliseconds(50) } });
 
         Assert.Equal("", rig.Ask("x=1"));
         rig.Time.Advance(TimeSpan.FromMilliseconds(45));
-        Assert.Equal("", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal("", SimulatorRig.ReadAvailable(rig.Stream));
         rig.Time.Advance(TimeSpan.FromMilliseconds(10));
-        Assert.Equal(":", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal(":", SimulatorRig.ReadAvailable(rig.Stream));
     }
 }

@@ -19,7 +19,7 @@ public class NumberReplyTests
     [InlineData("DM px[1];px[0]=0.1;QU px[]", ":: 0.1000\r\n\x1A:")]
     public async Task Numbers_come_back_as_given(string sent, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(reply, rig.Ask(sent));
     }
@@ -27,7 +27,7 @@ public class NumberReplyTests
     [Fact]
     public async Task Every_number_of_four_decimals_prints_as_it_was_written()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         for (var i = 0; i < 10_000; i += 7)
         {
             var number = string.Create(System.Globalization.CultureInfo.InvariantCulture, $"{i * 3}.{i:0000}");
@@ -50,7 +50,7 @@ public class NumberReplyTests
     [InlineData("LZ 1;TPA", ": 200\r\n:")]
     public async Task Without_the_stripping_of_zeros_every_question_answers_padded(string sent, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DP 200,-10", "LZ 0");
 
         Assert.Equal(reply, rig.Ask(sent));
@@ -67,7 +67,7 @@ public class NumberReplyTests
     [InlineData("GAA=N;GAA=", ": N\r\n:")]
     public async Task Formats_and_masters_can_be_asked_for(string sent, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(reply, rig.Ask(sent));
     }

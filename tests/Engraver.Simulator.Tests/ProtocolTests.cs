@@ -34,7 +34,7 @@ public class ProtocolTests
     [InlineData("UL\r", "\r\n\x1A:")]
     public async Task Every_command_gets_one_prompt_behind_its_data(string sent, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(reply, rig.SendRaw(sent));
     }
@@ -59,7 +59,7 @@ public class ProtocolTests
     [InlineData("CAT", "CA ?", " 1\r\n:")]
     public async Task What_was_set_is_read_back(string set, string query, string reply)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Ask(set);
 
         Assert.Equal(reply, rig.Ask(query));
@@ -73,7 +73,7 @@ public class ProtocolTests
     [InlineData("x=\"ABC\"", "{S3}", "ABC")]
     public async Task Formats_pad_clip_and_cut(string set, string format, string printed)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(set);
 
         Assert.Equal(printed + "\r\n:", rig.Ask("MG x" + format));
@@ -83,7 +83,7 @@ public class ProtocolTests
     [Fact]
     public async Task Program_only_statements_are_refused_from_a_host_with_code_2()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.All(
             new[] { "WT 100", "AT 0", "AMS", "MCA", "AV 100", "AD 5", "JP#A", "JS#A", "EN", "IF (1)", "ELSE", "ENDIF", "RE", "ZS", "MFA=5" },
@@ -93,7 +93,7 @@ public class ProtocolTests
     [Fact]
     public async Task A_line_over_80_characters_is_refused_with_code_5_and_counts_once()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(5, rig.Refusal("MG \"" + new string('x', 90) + "\""));
         Assert.Equal(":", rig.Ask("MG \"" + new string('x', 75) + "\"")[^1..]);
@@ -106,7 +106,7 @@ public class ProtocolTests
     [InlineData("\x04")]
     public async Task Download_is_silent_until_its_terminator_then_answers_two_prompts(string terminator)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("", rig.SendRaw("DL\r#A\rx=1;'note\r\rEN\r"));
         Assert.Equal("::", rig.SendRaw(terminator + "\r"));
@@ -117,7 +117,7 @@ public class ProtocolTests
     [Fact]
     public async Task A_bad_line_of_a_download_is_answered_while_it_streams_and_nothing_is_kept()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("?", rig.SendRaw("DL\r#A\r" + new string('x', 81) + "\r"));
         Assert.Equal("::", rig.SendRaw("EN\r\\"));
@@ -130,7 +130,7 @@ public class ProtocolTests
     [Fact]
     public async Task Download_while_a_program_runs_is_refused_with_code_17()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nWT 100\nJP#A").Do("XQ");
 
         Assert.Equal(17, rig.Refusal("DL"));
@@ -141,7 +141,7 @@ public class ProtocolTests
     [Fact]
     public async Task DL_with_a_hash_appends_and_lists_show_it()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nEN");
 
         Assert.Equal("::", rig.SendRaw("DL#\r#B\rEN\\"));
@@ -155,7 +155,7 @@ public class ProtocolTests
     [Fact]
     public async Task Arrays_go_down_and_up()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DM lst[3]");
 
         Assert.Equal(":", rig.SendRaw("QD lst[]\r5.0,8.0,23.5\\"));
@@ -171,7 +171,7 @@ public class ProtocolTests
     [Fact]
     public async Task Data_record_has_its_layout()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DPA=-5", "SB3", "MOB");
 
         var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
@@ -187,7 +187,7 @@ public class ProtocolTests
     [Fact]
     public async Task Data_record_shows_motion_direction_and_segment_count()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VS 20000", "VP -1000,0", "VP -9000,0", "VE", "BGS").Pass(200);
 
         var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
@@ -202,7 +202,7 @@ public class ProtocolTests
     [Fact]
     public async Task QR_takes_any_mask_of_blocks()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         var record = Encoding.Latin1.GetBytes(rig.Ask("QR BI"));
 
@@ -213,25 +213,25 @@ public class ProtocolTests
     [Fact]
     public async Task Messages_go_where_CF_says_and_carry_bit_7_under_CW_1()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var other = rig.Controller.OpenConnection();
         rig.Download("#A\nMG \"HI\"\nEN\n#B\nMG {EA}\"YOU\"\nEN").Do("XQ").Pass(10);
-        Assert.Equal("", Rig.ReadAvailable(other));
+        Assert.Equal("", SimulatorRig.ReadAvailable(other));
 
         rig.Do("CFB", "CW 1", "XQ").Pass(10);
 
-        Assert.Equal(string.Concat("HI\r\n".Select(c => (char)(c | 0x80))), Rig.ReadAvailable(other));
+        Assert.Equal(string.Concat("HI\r\n".Select(c => (char)(c | 0x80))), SimulatorRig.ReadAvailable(other));
         Assert.Equal((66, 1), (rig.Value("_CF"), rig.Value("_CW")));
-        Assert.Equal("::YOU\r\n", rig.SendRaw("CW 2;XQ#B\r") + Rig.ReadAvailable(rig.Pass(10).Stream));
+        Assert.Equal("::YOU\r\n", rig.SendRaw("CW 2;XQ#B\r") + SimulatorRig.ReadAvailable(rig.Pass(10).Stream));
     }
 
     [Fact]
     public async Task Queries_inside_a_program_print_as_messages()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nx=5;x=\nTPA\nEN").Do("CFI");
 
-        Assert.Equal(": 5.0000\r\n 0\r\n", rig.Ask("XQ") + Rig.ReadAvailable(rig.Pass(10).Stream));
+        Assert.Equal(": 5.0000\r\n 0\r\n", rig.Ask("XQ") + SimulatorRig.ReadAvailable(rig.Pass(10).Stream));
     }
 
     [Fact]
@@ -247,13 +247,13 @@ public class ProtocolTests
 
     private static string ReplyTo(byte[] bytes, int[] cuts)
     {
-        var rig = new Rig();
+        var rig = new SimulatorRig();
         var reply = new StringBuilder();
         var start = 0;
         foreach (var cut in cuts.Append(bytes.Length).Order())
         {
             rig.Stream.Write(bytes.AsSpan(start, cut - start));
-            reply.Append(Rig.ReadAvailable(rig.Stream));
+            reply.Append(SimulatorRig.ReadAvailable(rig.Stream));
             start = cut;
         }
 

@@ -9,7 +9,7 @@ public class RecordTests
     public async Task The_file_has_a_row_for_every_sample_of_motion_and_every_output_change_at_rest()
     {
         var file = new StringWriter(CultureInfo.InvariantCulture);
-        await using (var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero }))
+        await using (var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero }))
         {
             rig.Controller.Record.AttachCsv(file);
             rig.Pass(1234).Do("SB1", "SB1", "CB1", "OP 5").Pass(10).Do("PRA=-2", "SPA=1000", "BGA").RunToIdle();
@@ -35,7 +35,7 @@ public class RecordTests
     public async Task The_file_is_up_to_date_while_the_controller_runs()
     {
         var file = new StringWriter(CultureInfo.InvariantCulture);
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.Record.AttachCsv(file);
         rig.Do("SB1");
 
@@ -47,7 +47,7 @@ public class RecordTests
     [Fact]
     public async Task A_move_from_an_unrecorded_place_begins_with_that_place()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("ACA=67107840", "DPA=700", "PRA=100", "BGA").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
@@ -59,7 +59,7 @@ public class RecordTests
     [Fact]
     public async Task An_output_that_changes_in_motion_shows_at_the_next_sample()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("PRA=10000", "BGA").Pass(100).Do("SB2").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
@@ -74,7 +74,7 @@ public class RecordTests
     public async Task The_end_of_the_controller_completes_and_closes_the_file_while_something_moves_and_nothing_is_written_later()
     {
         var file = new OwnedFile();
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.Record.AttachCsv(file);
         rig.Do("JG 1000", "BGA").Pass(500);
 
@@ -92,7 +92,7 @@ public class RecordTests
     public async Task A_full_disk_ends_the_file_and_not_the_controller()
     {
         var file = new OwnedFile();
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.Record.AttachCsv(file);
         file.IsFull = true;
         rig.Do("SB1", "PRA=10", "BGA").RunToIdle();

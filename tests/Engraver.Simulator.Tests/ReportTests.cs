@@ -8,7 +8,7 @@ public class ReportTests
     [Fact]
     public async Task Each_question_answers_for_the_axes_it_names()
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero, ServoLag = TimeSpan.FromMilliseconds(10) });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero, ServoLag = TimeSpan.FromMilliseconds(10) });
         rig.Do("DPA=200;DPB=-10;DPD=-110");
 
         Assert.Equal(" 200, -10, 0, -110\r\n:", rig.Ask("TP"));
@@ -29,7 +29,7 @@ public class ReportTests
     [Fact]
     public async Task A_plane_is_no_axis_to_be_asked_for()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("?", rig.Ask("TPS"));
         Assert.Equal("?", rig.Ask("TVS"));
@@ -40,7 +40,7 @@ public class ReportTests
     [InlineData("CN ,,,,1", true)]
     public async Task The_abort_input_stops_all_motion_without_a_ramp_and_programs_unless_CN_spares_them(string setting, bool programsGoOn)
     {
-        await using var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
+        await using var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.Zero });
         rig.Download("#LOOP\nWT 100\nJP#LOOP\nEN\n").Do("XQ#LOOP", setting, "OEB=1", "JG 20000,10000,5000", "BGABC").Pass(500);
         var here = rig.Value("_RPA");
         Assert.Equal(1, rig.Value("_AB"));

@@ -62,14 +62,14 @@ public sealed class ScheduledFaultTests
         Assert.Equal(":", rig.Ask("x=1"));
         Assert.InRange(rig.Controller.Status.Sample - before, 300, 303);
 
-        var time = new StoppedTime();
+        var time = new StoppedTimeProvider();
         await using var paced = new SimulatedController(new SimulatorOptions { Time = time, Faults = Plan("""{"kind":"delay","atByte":1,"seconds":0.3}""") });
         await using var stream = paced.OpenConnection();
-        Assert.Equal("", Rig.Exchange(stream, "x=1\rx=2\r"));
+        Assert.Equal("", SimulatorRig.Exchange(stream, "x=1\rx=2\r"));
         time.Advance(TimeSpan.FromSeconds(0.29));
-        Assert.Equal("", Rig.ReadAvailable(stream));
+        Assert.Equal("", SimulatorRig.ReadAvailable(stream));
         time.Advance(TimeSpan.FromSeconds(0.02));
-        Assert.Equal("::", Rig.ReadAvailable(stream)); // the order is kept
+        Assert.Equal("::", SimulatorRig.ReadAvailable(stream)); // the order is kept
     }
 
     [Fact]
@@ -108,15 +108,15 @@ public sealed class ScheduledFaultTests
 
         Assert.Throws<IOException>(() => rig.Ask(""));
         await using var again = rig.Controller.OpenConnection();
-        Assert.Equal(" 0.0000 0.0000\r\n:", Rig.Exchange(again, "MG _RPA,_OP0\r"));
-        Assert.Equal("?", Rig.Exchange(again, "MG mark\r"));
-        Assert.InRange(double.Parse(Rig.Exchange(again, "MG TIME\r")[..^3], System.Globalization.CultureInfo.InvariantCulture), 900, 1100);
+        Assert.Equal(" 0.0000 0.0000\r\n:", SimulatorRig.Exchange(again, "MG _RPA,_OP0\r"));
+        Assert.Equal("?", SimulatorRig.Exchange(again, "MG mark\r"));
+        Assert.InRange(double.Parse(SimulatorRig.Exchange(again, "MG TIME\r")[..^3], System.Globalization.CultureInfo.InvariantCulture), 900, 1100);
     }
 
     [Fact]
     public async Task A_fault_is_scheduled_while_the_controller_runs_and_one_whose_moment_is_past_happens_at_once()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("SPA=1000", "PRA=5000", "BGA");
         rig.Controller.Advance(TimeSpan.FromSeconds(1));
         rig.Controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtSeconds = 0.2 });
@@ -132,7 +132,7 @@ public sealed class ScheduledFaultTests
     [Fact]
     public async Task The_real_place_of_a_motor_and_of_a_position_outlives_DP_and_a_power_cycle()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("PRA=5000", "BGA");
         rig.RunToIdle();
         Assert.Equal((5000, 5000, 0), (rig.Controller.MotorPlace(0), rig.Controller.PlaceOf(0, 5000), rig.Controller.MotorPlace(1)));
@@ -151,7 +151,7 @@ public sealed class ScheduledFaultTests
     [Fact]
     public async Task Without_scheduled_faults_steady_motion_is_the_same_as_with_one_that_never_comes()
     {
-        await using var plain = new Rig();
+        await using var plain = new SimulatorRig();
         await using var waiting = WithFaults("""{"kind":"reset","atSegment":1000000}""");
         foreach (var rig in new[] { plain, waiting })
         {
@@ -163,29 +163,29 @@ public sealed class ScheduledFaultTests
     }
 
     [Theory]
-    [InlineData("""{"kind":"reset"}""", "kind", FlawReason.Moments)]
-    [InlineData("""{"kind":"reset","atSeconds":1,"atByte":2}""", "kind", FlawReason.Moments)]
-    [InlineData("""{"kind":"jam","atSeconds":1}""", "kind", FlawReason.NoAxis)]
-    [InlineData("""{"kind":"reset","atSeconds":1,"axis":"A"}""", "axis", FlawReason.HasNoAxis)]
-    [InlineData("""{"kind":"jam","atSeconds":1,"axis":"E"}""", "axis", FlawReason.OtherAxis)]
-    [InlineData("""{"kind":"reset","atSeconds":1,"forSeconds":1}""", "forSeconds", FlawReason.NeverEnds)]
-    [InlineData("""{"kind":"jam","atSeconds":1,"axis":"A","forSeconds":0}""", "forSeconds", FlawReason.NotAboveZero)]
-    [InlineData("""{"kind":"garbage","atByte":-1}""", "atByte", FlawReason.BelowZero)]
-    [InlineData("""{"kind":"garbage","atSeconds":-1}""", "atSeconds", FlawReason.BelowZero)]
-    [InlineData("""{"kind":"garbage","atSegment":-1}""", "atSegment", FlawReason.BelowZero)]
-    [InlineData("""{"kind":"delay","atByte":1,"seconds":-1}""", "seconds", FlawReason.BelowZero)]
-    [InlineData("""{"kind":"garbage","atByte":1,"count":0}""", "count", FlawReason.BelowOne)]
-    public void A_fault_that_makes_no_sense_is_refused_with_a_reason(string fault, string field, FlawReason reason)
+    [InlineData("""{"kind":"reset"}""", "kind", FaultErrorReason.Moments)]
+    [InlineData("""{"kind":"reset","atSeconds":1,"atByte":2}""", "kind", FaultErrorReason.Moments)]
+    [InlineData("""{"kind":"jam","atSeconds":1}""", "kind", FaultErrorReason.NoAxis)]
+    [InlineData("""{"kind":"reset","atSeconds":1,"axis":"A"}""", "axis", FaultErrorReason.HasNoAxis)]
+    [InlineData("""{"kind":"jam","atSeconds":1,"axis":"E"}""", "axis", FaultErrorReason.OtherAxis)]
+    [InlineData("""{"kind":"reset","atSeconds":1,"forSeconds":1}""", "forSeconds", FaultErrorReason.NeverEnds)]
+    [InlineData("""{"kind":"jam","atSeconds":1,"axis":"A","forSeconds":0}""", "forSeconds", FaultErrorReason.NotAboveZero)]
+    [InlineData("""{"kind":"garbage","atByte":-1}""", "atByte", FaultErrorReason.BelowZero)]
+    [InlineData("""{"kind":"garbage","atSeconds":-1}""", "atSeconds", FaultErrorReason.BelowZero)]
+    [InlineData("""{"kind":"garbage","atSegment":-1}""", "atSegment", FaultErrorReason.BelowZero)]
+    [InlineData("""{"kind":"delay","atByte":1,"seconds":-1}""", "seconds", FaultErrorReason.BelowZero)]
+    [InlineData("""{"kind":"garbage","atByte":1,"count":0}""", "count", FaultErrorReason.BelowOne)]
+    public void A_fault_that_makes_no_sense_is_refused_with_a_reason(string fault, string field, FaultErrorReason reason)
     {
         var refused = Assert.Throws<FaultPlanException>(() => FaultPlan.Parse($$"""{"faults":[{"kind":"reset","atByte":9},{{fault}}]}"""));
 
-        Assert.Equal((1, new FaultFlaw(field, reason)), (refused.Fault, refused.Flaw));
+        Assert.Equal((1, new FaultError(field, reason)), (refused.Fault, refused.Error));
     }
 
     [Fact]
     public void A_kind_of_fault_that_does_not_exist_is_refused() => Assert.Throws<JsonException>(() => Plan("""{"kind":"flood","atByte":1}"""));
 
-    private static Rig WithFaults(string fault) => new(new SimulatorOptions { Faults = Plan(fault) });
+    private static SimulatorRig WithFaults(string fault) => new(new SimulatorOptions { Faults = Plan(fault) });
 
     private static FaultPlan Plan(string fault) => FaultPlan.Parse($$"""{"faults":[{{fault}}]}""");
 }

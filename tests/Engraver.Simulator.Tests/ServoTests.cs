@@ -8,7 +8,7 @@ public class ServoTests
     [Fact]
     public async Task A_lagging_motor_shows_its_error_in_motion_and_arrives()
     {
-        await using var rig = new Rig(new SimulatorOptions { ServoLag = TimeSpan.FromMilliseconds(10) });
+        await using var rig = new SimulatorRig(new SimulatorOptions { ServoLag = TimeSpan.FromMilliseconds(10) });
         rig.Do("JGA=20000", "BGA").Pass(300);
 
         Assert.Equal(200, rig.Value("_TEA"), 15.0); // speed times lag
@@ -19,7 +19,7 @@ public class ServoTests
     [Fact]
     public async Task MC_waits_for_the_motor_where_AM_waits_for_the_profile()
     {
-        await using var rig = new Rig(new SimulatorOptions { ServoLag = TimeSpan.FromMilliseconds(50) });
+        await using var rig = new SimulatorRig(new SimulatorOptions { ServoLag = TimeSpan.FromMilliseconds(50) });
 
         var seconds = rig.Do("late=0").Run(Mover);
 
@@ -30,7 +30,7 @@ public class ServoTests
     [Fact]
     public async Task A_motor_that_does_not_arrive_within_TW_gets_code_99_and_runs_MCTIME()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.HoldMotor(0, true);
 
         var seconds = rig.Do("late=0", "TWA=200").Run(Mover);
@@ -42,7 +42,7 @@ public class ServoTests
     [Fact]
     public async Task With_OE_1_an_error_stops_all_axes_of_the_sequence_and_their_motors()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("OEA=1", "ERA=300", "VMAB", "VP 50000,50000", "VE", "BGS").Pass(100);
 
         rig.Controller.HoldMotor(0, true);
@@ -54,7 +54,7 @@ public class ServoTests
     [Fact]
     public async Task SH_takes_the_place_of_the_motor_as_command()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.HoldMotor(0, true);
         rig.Do("PRA=1000", "BGA").RunToIdle();
         Assert.Equal(1000, rig.Value("_TEA"));

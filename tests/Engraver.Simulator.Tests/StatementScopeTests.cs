@@ -15,7 +15,7 @@ public class StatementScopeTests
     [InlineData("ED", 1)]
     public async Task Not_in_a_program(string statement, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("n=0").Run(statement + "\nn=1\nEN");
 
         Assert.Equal((code, 0), (rig.Value("_TC"), rig.Value("n")));
@@ -37,7 +37,7 @@ public class StatementScopeTests
     [InlineData("BP")]
     public async Task Not_while_its_axis_moves(string command)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("PRA=50000", "BGA").Pass(100);
 
         Assert.Equal(7, rig.Refusal(command));
@@ -52,7 +52,7 @@ public class StatementScopeTests
     [InlineData("LMAB")]
     public async Task Not_while_its_plane_moves(string command)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VP 50000,0", "VE", "BGS").Pass(100);
 
         Assert.Equal(7, rig.Refusal(command));
@@ -69,7 +69,7 @@ public class StatementScopeTests
     [InlineData("WC")]
     public async Task Only_in_a_program(string statement)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal(2, rig.Refusal(statement));
     }
@@ -83,7 +83,7 @@ public class StatementScopeTests
     [InlineData("II 2")]
     public async Task In_a_program_and_from_a_host(string statement)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("n=0\n" + statement + "\nn=1\nEN\n#A\nEN");
         Assert.EndsWith(":", rig.Ask(statement));
 

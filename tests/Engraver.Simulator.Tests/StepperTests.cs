@@ -44,9 +44,9 @@ public class StepperTests
     }
 
     /// <summary>At 5000 of 7000 the shaft was blocked.</summary>
-    private static Rig Jammed(params AxisSwitches[] switches)
+    private static SimulatorRig Jammed(params AxisSwitches[] switches)
     {
-        var rig = new Rig(new SimulatorOptions { Switches = switches });
+        var rig = new SimulatorRig(new SimulatorOptions { Switches = switches });
         rig.Do("MOA", "MTA=2", "SHA", "PAA=5000", "BGA").RunToIdle();
         rig.Controller.HoldMotor(0, true);
         rig.Do("PAA=7000", "BGA").RunToIdle();

@@ -11,7 +11,7 @@ public class SurvivalTests
     [InlineData("LMD;LID=77;LE;BGS", "_RPD", 77)]
     public async Task A_sequence_may_have_a_single_axis(string sequence, string operand, double end)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Do(sequence.Split(';')).RunToIdle();
 
@@ -21,7 +21,7 @@ public class SurvivalTests
     [Fact]
     public async Task The_tangent_of_a_single_axis_is_forwards_or_backwards()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("LMA", "TN 2,0", "LI -100");
 
         Assert.Equal(" 360\r\n:", rig.Ask("TN ?"));
@@ -36,7 +36,7 @@ public class SurvivalTests
     [InlineData("DM p[4];RA p[];RD _TPA;RC 1,-2147483648")]
     public async Task A_number_at_the_end_of_the_range_is_refused_and_the_next_command_answered(string sent)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         Assert.EndsWith("?", rig.Ask(sent));
 
         Assert.Equal(" 1.0000\r\n:", rig.Ask("MG 1"));
@@ -45,7 +45,7 @@ public class SurvivalTests
     [Fact]
     public async Task An_input_number_at_the_end_of_the_range_is_an_error_of_the_program()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         rig.Run("AI -2147483648\nEN");
 
@@ -55,7 +55,7 @@ public class SurvivalTests
     [Fact]
     public async Task A_position_error_beyond_the_range_is_told_as_the_largest()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("DPA=-2147483648");
         rig.Controller.HoldMotor(0, true);
         rig.Do("JGA=0", "BGA", "IPA=2147483647", "IPA=1").Pass(5);
@@ -67,7 +67,7 @@ public class SurvivalTests
     [Fact]
     public async Task Gears_that_drive_each_other_run_to_the_end_of_the_numbers_and_no_further()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("GAA=B", "GAB=A", "GR 127,127", "IPA=1").Pass(2000);
         Assert.Equal(2147483647, Math.Abs(rig.Value("_RPA")), 1.0);
 
@@ -80,7 +80,7 @@ public class SurvivalTests
     [InlineData("DM p[10]\rQD p[]\r", "?")]
     public async Task A_text_without_end_fills_no_memory_and_is_refused(string begin, string end)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.SendRaw(begin);
         var much = new byte[1_000_000];
         Array.Fill(much, (byte)'1');
@@ -99,7 +99,7 @@ public class SurvivalTests
     [InlineData("LIE=5")]
     public async Task An_axis_that_the_machine_has_not_is_refused_as_one(string sent)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("LMAB");
 
         Assert.Equal(90, rig.Refusal(sent));
@@ -108,7 +108,7 @@ public class SurvivalTests
     [Fact]
     public async Task A_client_that_never_sends_a_return_is_answered_for_ever()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         for (var i = 0; i < 100; i++) Assert.Equal(":", rig.SendRaw("ACA=73422;"));
 
         Assert.Equal(" 72704\r\n:", rig.SendRaw("ACA=?;"));
@@ -117,7 +117,7 @@ public class SurvivalTests
     [Fact]
     public async Task A_command_that_is_too_long_is_refused_where_it_ends_and_the_next_one_runs()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
 
         Assert.Equal("?", rig.SendRaw(new string('x', 81) + ";"));
         Assert.Equal(" 5\r\n:", rig.SendRaw("TC;"));

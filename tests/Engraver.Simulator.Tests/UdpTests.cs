@@ -17,7 +17,7 @@ public sealed class UdpTests : IDisposable
     [Fact]
     public async Task A_datagram_is_a_command_on_a_handle_of_its_own()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var client = await ConnectAsync(rig);
 
         Assert.Equal("IHB\r\n:", await AskAsync(client, "WH\r"));
@@ -32,7 +32,7 @@ public sealed class UdpTests : IDisposable
     [Fact]
     public async Task Records_are_pushed_without_a_prompt_until_DR_0()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var client = await ConnectAsync(rig);
         await AskAsync(client, "WH\r");
 
@@ -50,14 +50,14 @@ public sealed class UdpTests : IDisposable
     [Fact]
     public async Task Too_short_a_period_and_a_TCP_handle_are_refused()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var client = await ConnectAsync(rig);
         await AskAsync(client, "WH\r");
 
         Assert.Equal((6, 133, 133), (rig.Refusal("DR 7,1"), rig.Refusal("DR 10,0"), rig.Refusal("DR 10")));
     }
 
-    private async Task<UdpClient> ConnectAsync(Rig rig)
+    private async Task<UdpClient> ConnectAsync(SimulatorRig rig)
     {
         var place = await rig.Controller.ListenUdpAsync(0, Soon);
         var client = new UdpClient(new IPEndPoint(IPAddress.Loopback, 0));

@@ -11,7 +11,7 @@ public class VectorMotionTests
     [Fact]
     public async Task Origin_is_latched_at_BGS_and_VP_is_absolute_in_the_sequence()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 100,0", "VP 100,100", "VE", "DPA=5000;DPB=-7", "BGS").RunToIdle();
 
         Assert.Equal((5100, 93), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -20,7 +20,7 @@ public class VectorMotionTests
     [Fact]
     public async Task Axis_order_follows_VM()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMBA", "VP 100,30", "VE", "BGS").RunToIdle();
 
         Assert.Equal((30, 100), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -29,7 +29,7 @@ public class VectorMotionTests
     [Fact]
     public async Task The_real_end_of_an_arc_is_kept_and_VP_absorbs_it()
     {
-        await using var rig = new Rig(new SimulatorOptions { AngleQuantumDegrees = 1.0 / 256 });
+        await using var rig = new SimulatorRig(new SimulatorOptions { AngleQuantumDegrees = 1.0 / 256 });
         rig.Do(Setup).Do("CR 100000,0.002,90", "VP -100000,100000", "VE", "BGS").RunToIdle();
 
         Assert.Equal((-100000, 100000), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -41,7 +41,7 @@ public class VectorMotionTests
     [InlineData(0.0, -1001)]
     public async Task Radius_quantum_cuts_the_radius(double quantum, int end)
     {
-        await using var rig = new Rig(new SimulatorOptions { RadiusQuantum = quantum });
+        await using var rig = new SimulatorRig(new SimulatorOptions { RadiusQuantum = quantum });
         rig.Do(Setup).Do("CR 1000.6,0,90", "VE", "BGS").RunToIdle();
 
         Assert.Equal((end, -end), (rig.Value("_RPA"), rig.Value("_RPB")));
@@ -63,7 +63,7 @@ public class VectorMotionTests
     [InlineData("BGS", 24)]
     public async Task Segments_outside_the_ranges_are_refused(string command, int code)
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup);
 
         Assert.Equal(code, rig.Refusal(command));
@@ -73,7 +73,7 @@ public class VectorMotionTests
     [Fact]
     public async Task LM_refuses_VP_and_zero_increments_and_too_much_before_BGS()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("LMABC");
 
         Assert.Equal(33, rig.Refusal("VP 1,1"));
@@ -89,7 +89,7 @@ public class VectorMotionTests
     [Fact]
     public async Task The_buffer_holds_511_segments_and_takes_more_as_slots_free_up()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup);
         for (var i = 1; i <= 511; i++) rig.Do($"VP {i * 100},0");
 
@@ -105,7 +105,7 @@ public class VectorMotionTests
     [Fact]
     public async Task While_a_sequence_runs_what_needs_standstill_is_code_7()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 100000,0", "BGS");
 
         Assert.All(new[] { "CSS", "VMAB", "LMAB", "VD 102400", "VDS=102400", "PAA=5", "PRB=5", "DPA=0", "MOA", "SH" }, c => Assert.Equal(7, rig.Refusal(c)));
@@ -117,7 +117,7 @@ public class VectorMotionTests
     [Fact]
     public async Task Begin_with_a_motor_off_is_code_20()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 1000,0", "VE", "MOB");
 
         Assert.Equal((20, 20), (rig.Refusal("BGS"), rig.Refusal("BGB")));
@@ -127,7 +127,7 @@ public class VectorMotionTests
     [Fact]
     public async Task Running_dry_stops_at_once_and_stays_open_until_fed_or_closed()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 5000,0", "BGS").Pass(1000);
 
         Assert.Equal((5000, 1, 100, 1), (rig.Value("_RPA"), rig.Value("_BGS"), rig.Value("_SCA"), rig.Controller.Status.Underruns));
@@ -146,7 +146,7 @@ public class VectorMotionTests
     [Fact]
     public async Task AB1_ends_a_dry_sequence_with_code_7_and_leaves_programs_alone()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("#A\nWT 10\nJP#A").Do("XQ").Do(Setup).Do("VP 5000,0", "BGS").Pass(1000);
 
         rig.Do("AB1");
@@ -159,7 +159,7 @@ public class VectorMotionTests
     [Fact]
     public async Task VE_brakes_over_several_segments_and_ends_exactly()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VS 100000", "VA 256000", "VD 256000");
         for (var i = 1; i <= 400; i++) rig.Do($"VP {i * 100},0");
 
@@ -174,7 +174,7 @@ public class VectorMotionTests
     [Fact]
     public async Task STS_decelerates_at_VD_and_gives_the_rest_up()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 50000,0", "VP 100000,0", "VE", "BGS").Pass(1000);
         var start = rig.Value("_RPA");
 
@@ -190,7 +190,7 @@ public class VectorMotionTests
     [Fact]
     public async Task VR_0_holds_the_feed_and_VR_1_resumes_on_the_path()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 20000,0", "VE", "BGS").Pass(300);
 
         rig.Do("VR 0").Pass(200);
@@ -208,7 +208,7 @@ public class VectorMotionTests
     [Fact]
     public async Task VR_scales_every_speed_and_VS_works_in_motion()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do(Setup).Do("VP 50000,0<10000", "VP 100000,0", "VE", "VR 0.5", "BGS").Pass(500);
         Assert.Equal(5000, rig.Value("_VMS"));
 
@@ -221,7 +221,7 @@ public class VectorMotionTests
     [Fact]
     public async Task A_faster_exit_speed_is_reached_at_the_end_of_its_segment()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VS 4000", "VA 256000", "VD 256000", "VP 5000,0>12000", "VP 5000,5000", "VE", "BGS").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
@@ -232,7 +232,7 @@ public class VectorMotionTests
     [Fact]
     public async Task AV_counts_from_the_previous_AV_and_switches_outputs_on_the_path()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Download("BGS\nAV 2000;SB1\nAV 3000;CB1\nAMS\nEN").Do(Setup).Do("VP 10000,0", "VE", "XQ").RunToIdle();
 
         var lit = rig.Controller.Record.Snapshot().Where(s => s.Outputs == 1).ToArray();
@@ -243,7 +243,7 @@ public class VectorMotionTests
     [Fact]
     public async Task The_tangent_axis_turns_backwards_on_a_clockwise_arc()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMABC", "TN 2000/360,-500", "CR 3000,180,-180", "VE");
         Assert.Equal(0, rig.Value("_TNS"));
 
@@ -255,7 +255,7 @@ public class VectorMotionTests
     [Fact]
     public async Task Plane_T_works_beside_plane_S()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAB", "VP 1000,0", "VE", "CAT", "LMCD", "VST=4000", "LI ,,500,-500", "LE", "BGST").RunToIdle();
 
         Assert.Equal(" 1000, 0, 500, -500\r\n:", rig.Ask("RP"));
@@ -264,7 +264,7 @@ public class VectorMotionTests
     [Fact]
     public async Task A_single_axis_with_the_virtual_one_makes_a_sine()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Do("VMAN", "VS 20000", "CR 1000,90,360", "VE", "BGS").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
@@ -275,7 +275,7 @@ public class VectorMotionTests
     public void Every_sample_of_a_random_polyline_lies_on_it_and_it_ends_exactly() =>
         Prop.ForAll(Polylines.ToArbitrary(), points =>
         {
-            var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.FromMilliseconds(0.1) });
+            var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.FromMilliseconds(0.1) });
             rig.Do("VMAB", "VS 60000", "VA 1024000", "VD 1024000");
             foreach (var (x, y) in points) rig.Do($"VP {x},{y}");
 
@@ -304,7 +304,7 @@ public class VectorMotionTests
         return best;
     }
 
-    private static int[] Steps(Rig rig)
+    private static int[] Steps(SimulatorRig rig)
     {
         var samples = rig.Controller.Record.Snapshot();
         return [.. samples.Skip(1).Zip(samples).Where(p => p.First.Sample == p.Second.Sample + 1).Select(p => p.First.A - p.Second.A)];

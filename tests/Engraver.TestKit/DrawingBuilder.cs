@@ -81,7 +81,7 @@ public sealed class DrawingBuilder
     public Drawing Build()
     {
         var counts = new Dictionary<string, int>();
-        var balance = new DrawingBalance(counts, _entities.Count, 0, [], [], new Dictionary<string, int>(), 0);
+        var balance = new ReadBalance(counts, _entities.Count, 0, [], [], new Dictionary<string, int>(), 0);
         return new Drawing("by hand", 0, "AC1015", "ascii", Unit, _layers, _entities, _parts, balance, []) { Curves = _curves };
     }
 

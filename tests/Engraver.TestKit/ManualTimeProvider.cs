@@ -36,7 +36,7 @@ public sealed class ManualTimeProvider : TimeProvider
         lock (_gate)
         {
             _now = end;
-            TellTimerSet();
+            SignalTimerSet();
         }
     }
 
@@ -57,7 +57,7 @@ public sealed class ManualTimeProvider : TimeProvider
     }
 
     /// <summary>Under the lock: wakes the tasks that wait for a timer to be set.</summary>
-    private void TellTimerSet()
+    private void SignalTimerSet()
     {
         _timerSet.SetResult();
         _timerSet = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -95,7 +95,7 @@ public sealed class ManualTimeProvider : TimeProvider
                 owner._timers.Remove(this);
                 if (Due is null) return true;
                 owner._timers.Add(this);
-                owner.TellTimerSet();
+                owner.SignalTimerSet();
                 return true;
             }
         }

@@ -19,26 +19,26 @@ public sealed class PseudoTerminalPair : IDisposable
 
     public string Device { get; }
 
-    public void Say(string text)
+    public void Write(string text)
     {
         var bytes = Encoding.Latin1.GetBytes(text);
         if (Native.Write(_master, bytes, (nuint)bytes.Length) != bytes.Length) throw new InvalidOperationException("The terminal did not take what was said.");
     }
 
     /// <summary>Waits for the given number of bytes from the link.</summary>
-    public string Hear(int count)
+    public string Read(int count)
     {
         var heard = new StringBuilder();
         while (heard.Length < count)
         {
-            heard.Append(HearSome(count - heard.Length) is { Length: > 0 } some ? some : throw new InvalidOperationException("The other side has left."));
+            heard.Append(ReadSome(count - heard.Length) is { Length: > 0 } some ? some : throw new InvalidOperationException("The other side has left."));
         }
 
         return heard.ToString();
     }
 
     /// <summary>Waits for bytes from the other side and returns at most the given number; empty when the other side is closed.</summary>
-    public string HearSome(int most)
+    public string ReadSome(int most)
     {
         var bytes = new byte[most];
         var read = (int)Native.Read(_master, bytes, (nuint)most);

@@ -22,7 +22,7 @@ internal readonly record struct CrossCheckFrame(CrossCheckPoint X, CrossCheckPoi
     public CrossCheckPoint At(CrossCheckPoint p) => Direction(p) + Origin;
 
     /// <summary>The inner frame as seen through this one.</summary>
-    public CrossCheckFrame Holding(CrossCheckFrame inner) => new(Direction(inner.X), Direction(inner.Y), Direction(inner.Z), At(inner.Origin));
+    public CrossCheckFrame Compose(CrossCheckFrame inner) => new(Direction(inner.X), Direction(inner.Y), Direction(inner.Z), At(inner.Origin));
 }
 
 /// <summary>A point in space, drawing units.</summary>

@@ -3,7 +3,7 @@ namespace Engraver.Tools.CrossChecks;
 /// <summary>An INSERT that is being drawn: the current copy of its block, and its next record.</summary>
 internal sealed class CrossCheckInsert
 {
-    private const int MostOneWay = short.MaxValue;
+    private const int MaxRepeatsPerAxis = short.MaxValue;
     private readonly CrossCheckFrame _own;
     private readonly CrossCheckPoint _place;
     private readonly (double X, double Y, double Z) _scale;
@@ -18,7 +18,7 @@ internal sealed class CrossCheckInsert
         Block = block;
         var angle = insert.Number(50, 0.0) * Math.PI / 180.0;
         _turn = (Math.Cos(angle), Math.Sin(angle));
-        (_own, _place) = (outer.Holding(CrossCheckFrame.FromExtrusion(insert)), insert.Point(10));
+        (_own, _place) = (outer.Compose(CrossCheckFrame.FromExtrusion(insert)), insert.Point(10));
         _scale = (insert.Number(41, 1.0), insert.Number(42, 1.0), insert.Number(43, 1.0));
         _step = (insert.Number(44, 0.0), insert.Number(45, 0.0));
         _columns = Repeats(insert.Number(70, 1.0));
@@ -46,14 +46,14 @@ internal sealed class CrossCheckInsert
         return Block.Content[_next++];
     }
 
-    private static int Repeats(double count) => count >= 1.0 ? (int)Math.Min(count, MostOneWay) : 1;
+    private static int Repeats(double count) => count >= 1.0 ? (int)Math.Min(count, MaxRepeatsPerAxis) : 1;
 
     private CrossCheckFrame FrameOf(double right, double up)
     {
         var (cos, sin) = _turn;
         var corner = _place + new CrossCheckPoint((right * cos) - (up * sin), (right * sin) + (up * cos), 0.0);
         var scaled = new CrossCheckFrame(_scale.X * new CrossCheckPoint(cos, sin, 0.0), _scale.Y * new CrossCheckPoint(-sin, cos, 0.0), _scale.Z * new CrossCheckPoint(0.0, 0.0, 1.0), corner);
-        var inside = _own.Holding(scaled);
+        var inside = _own.Compose(scaled);
         return inside with { Origin = inside.At((-1.0) * Block.Base) };
     }
 }

@@ -4,7 +4,7 @@ namespace Engraver.Tools.CrossChecks;
 /// whole.</summary>
 internal sealed class CrossCheckReading
 {
-    private const int MostCurves = 10_000_000;
+    private const int MaxCurves = 10_000_000;
     private readonly Dictionary<string, CrossCheckBlock> _blocks = new(StringComparer.OrdinalIgnoreCase);
     private readonly Stack<CrossCheckInsert> _open = new();
     private readonly HashSet<CrossCheckBlock> _path = [];
@@ -88,7 +88,7 @@ internal sealed class CrossCheckReading
 
     private void Count(long more)
     {
-        if (_drawn + more > MostCurves) throw new CrossCheckException(Wording.Get("CrossCheckReading.TooManyCurves", MostCurves));
+        if (_drawn + more > MaxCurves) throw new CrossCheckException(Wording.Get("CrossCheckReading.TooManyCurves", MaxCurves));
         _drawn += (int)more;
     }
 }

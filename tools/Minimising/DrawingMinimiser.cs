@@ -8,7 +8,7 @@ namespace Engraver.Tools.Minimising;
 public static class DrawingMinimiser
 {
     /// <summary>Maximum number of trials: enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
-    public const int MostTrials = 20_000;
+    public const int MaxTrials = 20_000;
 
     private static readonly string[] SimplerValues = ["", "0", "1", "A"];
 
@@ -18,7 +18,7 @@ public static class DrawingMinimiser
     /// <param name="cancellation">Cancels the search with an <see cref="OperationCanceledException"/>.</param>
     public static byte[] Minimise(byte[] file, Predicate<byte[]> shows, CancellationToken cancellation)
     {
-        var reduction = new Reduction(MostTrials, cancellation);
+        var reduction = new Reduction(MaxTrials, cancellation);
         if (AsText(file) is { } text && reduction.Try(() => shows(text))) file = text;
         else if (IsBinary(file)) return OfBlocks(file, shows, reduction);
         var lines = Lines(file);

@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Alarms;
 namespace Engraver.App.Alarms;
 
 /// <summary>An alarm: time, sentence, place, and what to do.</summary>
-public sealed class AlarmRow(Alarm alarm, TimeZoneInfo zone, Act acknowledge)
+public sealed class AlarmRow(Alarm alarm, TimeZoneInfo zone, RelayCommand acknowledge)
 {
     public int Number => alarm.Number;
 
@@ -27,5 +27,5 @@ public sealed class AlarmRow(Alarm alarm, TimeZoneInfo zone, Act acknowledge)
 
     public bool NeedsAcknowledging => alarm.NeedsAcknowledging;
 
-    public Act Acknowledge => acknowledge;
+    public RelayCommand Acknowledge => acknowledge;
 }

@@ -109,18 +109,18 @@ internal sealed class CanvasCursor : Control
         var pen = CanvasBrushes.Pen(SnapColour, 2.0);
         const double Size = MarkerSize;
         if (kind == SnapKinds.Centre) context.DrawEllipse(null, pen, at, Size, Size);
-        else if (kind == SnapKinds.End) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (Size, Size), (-Size, Size));
-        else if (kind == SnapKinds.Middle) Outline(context, pen, at, (0.0, -Size), (Size, Size * 0.8), (-Size, Size * 0.8));
-        else if (kind == SnapKinds.Quadrant) Outline(context, pen, at, (0.0, -Size), (Size, 0.0), (0.0, Size), (-Size, 0.0));
-        else if (kind == SnapKinds.Perpendicular) RightAngle(context, pen, at);
-        else if (kind == SnapKinds.Nearest) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (-Size, Size), (Size, Size));
-        else if (kind == SnapKinds.Node) Node(context, pen, at);
-        else if (kind == SnapKinds.Tangent) Touch(context, pen, at);
-        else Cross(context, pen, at);
+        else if (kind == SnapKinds.End) DrawPolyline(context, pen, at, (-Size, -Size), (Size, -Size), (Size, Size), (-Size, Size));
+        else if (kind == SnapKinds.Middle) DrawPolyline(context, pen, at, (0.0, -Size), (Size, Size * 0.8), (-Size, Size * 0.8));
+        else if (kind == SnapKinds.Quadrant) DrawPolyline(context, pen, at, (0.0, -Size), (Size, 0.0), (0.0, Size), (-Size, 0.0));
+        else if (kind == SnapKinds.Perpendicular) DrawPerpendicular(context, pen, at);
+        else if (kind == SnapKinds.Nearest) DrawPolyline(context, pen, at, (-Size, -Size), (Size, -Size), (-Size, Size), (Size, Size));
+        else if (kind == SnapKinds.Node) DrawNode(context, pen, at);
+        else if (kind == SnapKinds.Tangent) DrawTangent(context, pen, at);
+        else DrawCross(context, pen, at);
     }
 
     /// <summary>The marker of a perpendicular: a right angle.</summary>
-    private static void RightAngle(DrawingContext context, IPen pen, Point at)
+    private static void DrawPerpendicular(DrawingContext context, IPen pen, Point at)
     {
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(-MarkerSize, MarkerSize));
         context.DrawLine(pen, at + new Point(-MarkerSize, MarkerSize), at + new Point(MarkerSize, MarkerSize));
@@ -129,20 +129,20 @@ internal sealed class CanvasCursor : Control
     }
 
     /// <summary>The marker of a tangent: a circle under a line.</summary>
-    private static void Touch(DrawingContext context, IPen pen, Point at)
+    private static void DrawTangent(DrawingContext context, IPen pen, Point at)
     {
         context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, -MarkerSize));
     }
 
     /// <summary>The marker of a node: a circle around a cross.</summary>
-    private static void Node(DrawingContext context, IPen pen, Point at)
+    private static void DrawNode(DrawingContext context, IPen pen, Point at)
     {
         context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
-        Cross(context, pen, at);
+        DrawCross(context, pen, at);
     }
 
-    private static void Outline(DrawingContext context, IPen pen, Point at, params (double X, double Y)[] corners)
+    private static void DrawPolyline(DrawingContext context, IPen pen, Point at, params (double X, double Y)[] corners)
     {
         for (var i = 0; i < corners.Length; i++)
         {
@@ -151,7 +151,7 @@ internal sealed class CanvasCursor : Control
         }
     }
 
-    private static void Cross(DrawingContext context, IPen pen, Point at)
+    private static void DrawCross(DrawingContext context, IPen pen, Point at)
     {
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, MarkerSize));
         context.DrawLine(pen, at + new Point(-MarkerSize, MarkerSize), at + new Point(MarkerSize, -MarkerSize));

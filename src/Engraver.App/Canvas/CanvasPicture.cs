@@ -9,7 +9,7 @@ using Engraver.App.Canvas.Pictures;
 namespace Engraver.App.Canvas;
 
 /// <summary>The lowest visual of the canvas: the picture itself, pixel by pixel.</summary>
-internal sealed class CanvasPicture(PictureKeeper keeper) : Control
+internal sealed class CanvasPicture(PictureCache keeper) : Control
 {
     private readonly WriteableBitmap?[] _bitmaps = new WriteableBitmap?[2];
     private int _next;
@@ -18,7 +18,7 @@ internal sealed class CanvasPicture(PictureKeeper keeper) : Control
     {
         var size = keeper.View.Size;
         if (size.Width <= 0 || size.Height <= 0) return;
-        var bitmap = Written(size);
+        var bitmap = WriteBackBuffer(size);
         using (context.PushRenderOptions(new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None }))
         {
             context.DrawImage(bitmap, new Rect(0.0, 0.0, size.Width, size.Height), new Rect(0.0, 0.0, size.Width / keeper.Content.Scaling, size.Height / keeper.Content.Scaling));
@@ -26,7 +26,7 @@ internal sealed class CanvasPicture(PictureKeeper keeper) : Control
     }
 
     /// <summary>Writes the picture that can be shown now into the bitmap that is not on the screen.</summary>
-    private WriteableBitmap Written(PixelSize size)
+    private WriteableBitmap WriteBackBuffer(PixelSize size)
     {
         _next = 1 - _next;
         if (_bitmaps[_next] is not { } bitmap || bitmap.PixelSize != size)

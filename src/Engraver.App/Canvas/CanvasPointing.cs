@@ -28,13 +28,13 @@ internal sealed class CanvasPointing
     private const int MaxGhostSegments = 20_000;
 
     private readonly DrawingCanvas _canvas;
-    private readonly CanvasSigns _signs;
+    private readonly CanvasMarkers _signs;
     private readonly CanvasCursor _cursor;
     private readonly GhostRunner _ghosts;
-    private PointAim? _aim;
-    private GhostOf? _preview;
+    private PointRequest? _aim;
+    private GhostFunction? _preview;
 
-    public CanvasPointing(DrawingCanvas canvas, CanvasSigns signs, CanvasCursor cursor)
+    public CanvasPointing(DrawingCanvas canvas, CanvasMarkers signs, CanvasCursor cursor)
     {
         (_canvas, _signs, _cursor) = (canvas, signs, cursor);
         Aids = new DraftingAids(canvas);
@@ -42,7 +42,7 @@ internal sealed class CanvasPointing
     }
 
     /// <summary>What presses and movements mean.</summary>
-    public PointerMachine Pointer { get; } = new();
+    public PointerStateMachine Pointer { get; } = new();
 
     public DraftingAids Aids { get; }
 
@@ -56,7 +56,7 @@ internal sealed class CanvasPointing
     public bool ReversesWheel { get; set; }
 
     /// <summary>How coordinates, distances and angles are shown beside the crosshair (LUPREC, AUPREC).</summary>
-    public Figures Figures { get; set; } = Figures.Usual;
+    public DisplayPrecision Figures { get; set; } = DisplayPrecision.Initial;
 
     /// <summary>The text beside the crosshair; empty for none.</summary>
     public string Tip => _cursor.Tip;
@@ -73,7 +73,7 @@ internal sealed class CanvasPointing
     /// <summary>The grip that is dragged, drawing units; null: none is.</summary>
     public Point2D? HeldGrip { get; private set; }
 
-    private bool AsksForPlace => _aim is not (null or { Use: PointUse.Object });
+    private bool AsksForPlace => _aim is not (null or { Purpose: PointPurpose.Object });
 
     public void Press(Point2D at, PointerButton button, bool shift, int clicks)
     {
@@ -106,7 +106,7 @@ internal sealed class CanvasPointing
     public void Leave()
     {
         (_cursor.Place, _cursor.Snap, _signs.Hovered, _signs.HoveredGrip) = (null, null, null, null);
-        _canvas.UpdateSigns();
+        _canvas.UpdateMarkers();
         ShowCursor();
         _canvas.Commands?.CursorAt(null);
     }
@@ -155,7 +155,7 @@ internal sealed class CanvasPointing
     {
         var before = (_aim, _preview);
         (_aim, _preview) = (_canvas.Commands?.Aim, _canvas.Commands?.Preview);
-        (Pointer.AsksForPoint, Pointer.AsksForCorner) = (_aim is not null, _aim is { Use: PointUse.Corner });
+        (Pointer.AsksForPoint, Pointer.AsksForCorner) = (_aim is not null, _aim is { Purpose: PointPurpose.Corner });
         if (before._aim is not null && _aim is null) ReleaseGrip();
         return (_aim, _preview) != before;
     }
@@ -164,7 +164,7 @@ internal sealed class CanvasPointing
     {
         if (HeldGrip is null) return;
         HeldGrip = null;
-        _canvas.UpdateSigns();
+        _canvas.UpdateMarkers();
     }
 
     private void Hover(Point2D at)
@@ -179,7 +179,7 @@ internal sealed class CanvasPointing
             _signs.InvalidateVisual();
         }
 
-        _cursor.Snap = _aim is { Use: PointUse.Place } && Aids.SnapAt(at, _aim?.From) is { } snap ? (_canvas.ToControl(snap.Place), snap.Kind) : null;
+        _cursor.Snap = _aim is { Purpose: PointPurpose.Place } && Aids.SnapAt(at, _aim?.From) is { } snap ? (_canvas.ToControl(snap.Place), snap.Kind) : null;
         _canvas.Commands?.CursorAt(Aimed(at));
     }
 
@@ -187,12 +187,12 @@ internal sealed class CanvasPointing
     {
         Point2D? at = _cursor.Place is { } cursor ? new Point2D(cursor.X, cursor.Y) : null;
         var from = _aim?.From is { } known ? _canvas.ToControl(known) : default(Point?);
-        _cursor.Box = Pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
-        _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, _canvas.ToControl(Aimed(end))) : null;
-        _cursor.Track = _aim is { Use: PointUse.Place } && at is { } tracked ? Aids.TrackOf(tracked, _aim?.From) : null;
-        _cursor.Tip = _aim is { } aim && at is { } place && _canvas.View?.Current is { DynamicInput: true } ? CursorTip.Format(_canvas.Commands?.Asked ?? "", aim, Aimed(place), Figures, Aids.TipPrefix(_cursor.Track is not null)) : "";
-        if (_preview is { } preview) _ghosts.Want(preview, default(Point2D));
-        else _ghosts.Want(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
+        _cursor.Box = Pointer.Box ?? (_aim is { Purpose: PointPurpose.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
+        _cursor.Line = _aim is { Purpose: PointPurpose.Place } && from is { } start && at is { } end ? (start, _canvas.ToControl(Aimed(end))) : null;
+        _cursor.Track = _aim is { Purpose: PointPurpose.Place } && at is { } tracked ? Aids.TrackOf(tracked, _aim?.From) : null;
+        _cursor.Tip = _aim is { } aim && at is { } place && _canvas.View?.Current is { DynamicInput: true } ? CursorTip.Format(_canvas.Commands?.Instruction ?? "", aim, Aimed(place), Figures, Aids.TipPrefix(_cursor.Track is not null)) : "";
+        if (_preview is { } preview) _ghosts.Request(preview, default(Point2D));
+        else _ghosts.Request(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
         _cursor.Ghost = [.. _ghosts.Shown.Take(MaxGhostSegments).Select(Chords)];
         (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
         _cursor.InvalidateVisual();
@@ -206,7 +206,7 @@ internal sealed class CanvasPointing
 
     /// <summary>The point that a click here gives, drawing units.</summary>
     /// <remarks>A grip may be dragged and released before its command has asked for the target.</remarks>
-    private Point2D Aimed(Point2D at) => _aim is { Use: PointUse.Place } aim ? Aids.Snap(at, aim.From, aim.From) : _aim is null && HeldGrip is { } grip ? Aids.Snap(at, null, grip) : _canvas.ToDrawing(at);
+    private Point2D Aimed(Point2D at) => _aim is { Purpose: PointPurpose.Place } aim ? Aids.Snap(at, aim.From, aim.From) : _aim is null && HeldGrip is { } grip ? Aids.Snap(at, null, grip) : _canvas.ToDrawing(at);
 
     private void Do(CanvasIntent intent)
     {
@@ -241,8 +241,8 @@ internal sealed class CanvasPointing
         if (intent is CanvasIntent.ZoomExtents) commands.ZoomExtents();
         else if (intent is CanvasIntent.Cancel) commands.Cancel();
         else if (intent is CanvasIntent.Menu menu) commands.Menu(_canvas.ToDrawing(menu.At));
-        else if (intent is CanvasIntent.GivePoint given) Give(commands, given);
-        else if (intent is CanvasIntent.HoldGrip hold && GripAt(hold.At) is { } grip) Hold(commands, grip.Place);
+        else if (intent is CanvasIntent.SubmitPoint given) Give(commands, given);
+        else if (intent is CanvasIntent.GrabGrip hold && GripAt(hold.At) is { } grip) Hold(commands, grip.Place);
         else if (intent is CanvasIntent.DropGrip drop) commands.GripDropped(Aimed(drop.At));
         else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(_canvas.ToDrawing(pick.At), entity, _canvas.Scene!.Drawing, pick.Remove);
     }
@@ -250,13 +250,13 @@ internal sealed class CanvasPointing
     private void Hold(ICanvasCommands commands, Point2D grip)
     {
         HeldGrip = grip;
-        _canvas.UpdateSigns();
-        commands.GripHeld(grip);
+        _canvas.UpdateMarkers();
+        commands.GripPressed(grip);
     }
 
-    private void Give(ICanvasCommands commands, CanvasIntent.GivePoint given)
+    private void Give(ICanvasCommands commands, CanvasIntent.SubmitPoint given)
     {
-        if (_aim is not { Use: PointUse.Place } || !Aids.WaitsForSnap(given.At, _aim.From)) commands.PointGiven(Aimed(given.At), given.Remove);
+        if (_aim is not { Purpose: PointPurpose.Place } || !Aids.WaitsForSnap(given.At, _aim.From)) commands.PointGiven(Aimed(given.At), given.Remove);
     }
 
     /// <summary>Brings the finding under the cursor into the middle, nearer by <see cref="FindingZoom"/>.</summary>

@@ -30,22 +30,22 @@ public sealed class DrawingCanvas : Panel
 
     public static readonly StyledProperty<bool> ShowsGripsProperty = AvaloniaProperty.Register<DrawingCanvas, bool>(nameof(ShowsGrips), defaultValue: true);
 
-    private readonly PictureKeeper _keeper = new();
-    private IReadOnlyList<int>? _flagged;
+    private readonly PictureCache _cache = new();
+    private IReadOnlyList<int>? _flaggedSelection;
     private readonly CanvasPicture _picture;
-    private readonly CanvasSigns _signs = new() { IsHitTestVisible = false };
+    private readonly CanvasMarkers _markers = new() { IsHitTestVisible = false };
     private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
     private readonly MachineNote _note = new();
     private readonly PictureRefiner _refiner;
 
     public DrawingCanvas()
     {
-        _picture = new CanvasPicture(_keeper) { IsHitTestVisible = false };
-        Children.AddRange([_picture, _signs, _cursor, _note]);
+        _picture = new CanvasPicture(_cache) { IsHitTestVisible = false };
+        Children.AddRange([_picture, _markers, _cursor, _note]);
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
-        _refiner = new PictureRefiner(_keeper);
-        Pointing = new CanvasPointing(this, _signs, _cursor);
-        _keeper.Refined += (_, _) =>
+        _refiner = new PictureRefiner(_cache);
+        Pointing = new CanvasPointing(this, _markers, _cursor);
+        _cache.Refined += (_, _) =>
         {
             _picture.InvalidateVisual();
             PictureDrawn?.Invoke();
@@ -132,23 +132,23 @@ public sealed class DrawingCanvas : Panel
     internal CanvasPointing Pointing { get; }
 
     /// <summary>True when the finished picture shows what is wanted, so that none is being drawn.</summary>
-    public bool IsFresh => _keeper.IsFresh;
+    public bool IsUpToDate => _cache.IsUpToDate;
 
     /// <summary>How long the view must rest before the picture is drawn anew.</summary>
-    internal TimeSpan Stillness
+    internal TimeSpan RestDelay
     {
-        get => _refiner.Stillness;
-        set => _refiner.Stillness = value;
+        get => _refiner.RestDelay;
+        set => _refiner.RestDelay = value;
     }
 
     /// <summary>There is a picture of the scene, though not yet of everything that is wanted.</summary>
-    internal bool HasPictureOfScene => _keeper.HasPictureOf(Scene);
+    internal bool HasPictureOfScene => _cache.HasPictureOf(Scene);
 
     /// <summary>The part of the drawing on the screen, in pixels of the screen.</summary>
-    internal CanvasView PixelView => _keeper.View;
+    internal CanvasView PixelView => _cache.View;
 
     /// <summary>Drawing units per unit of the control.</summary>
-    internal double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
+    internal double UnitsPerPoint => _cache.View.UnitsPerPixel * Scaling;
 
     private double Scaling => TopLevel.GetTopLevel(this)?.RenderScaling ?? 1.0;
 
@@ -161,30 +161,30 @@ public sealed class DrawingCanvas : Panel
     }
 
     /// <summary>Draws the picture although it is there already; for benchmarks.</summary>
-    internal void RefineAgain()
+    internal void ForceRefine()
     {
-        _keeper.Abandon();
-        _keeper.Refine(CancellationToken.None);
+        _cache.CancelDrawing();
+        _cache.Refine(CancellationToken.None);
     }
 
     /// <summary>From units of the control to drawing units.</summary>
-    internal Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
+    internal Point2D ToDrawing(Point2D at) => _cache.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
 
     /// <summary>From drawing units to units of the control.</summary>
     internal Point ToControl(Point2D place)
     {
-        var pixel = _keeper.View.ToPixels(place);
+        var pixel = _cache.View.ToPixels(place);
         return new Point(pixel.X / Scaling, pixel.Y / Scaling);
     }
 
-    internal void UpdateSigns()
+    internal void UpdateMarkers()
     {
-        (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
-        (_signs.Highlight, _signs.Machine, _signs.Playback, _signs.PointedAt) = (Highlight, Machine, PlaybackPosition, View?.Current.Focus?.Place);
+        (_markers.Scene, _markers.View, _markers.Scaling, _markers.Colours) = (Scene, _cache.View, Scaling, _cache.Content.Theme);
+        (_markers.Highlight, _markers.Machine, _markers.Playback, _markers.PointedAt) = (Highlight, Machine, PlaybackPosition, View?.Current.Focus?.Place);
         _note.Show(Machine?.Note ?? "");
-        _signs.ShowGrips(ShowsGrips ? Selection ?? [] : [], Pointing.HeldGrip);
-        _cursor.Colours = _keeper.Content.Theme;
-        _signs.InvalidateVisual();
+        _markers.ShowGrips(ShowsGrips ? Selection ?? [] : [], Pointing.HeldGrip);
+        _cursor.Colours = _cache.Content.Theme;
+        _markers.InvalidateVisual();
         _cursor.InvalidateVisual();
     }
 
@@ -231,7 +231,7 @@ public sealed class DrawingCanvas : Panel
     protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
     {
         base.OnPointerCaptureLost(e);
-        if (Pointing.Pointer.IsPanning) Pointing.Pointer.Lost();
+        if (Pointing.Pointer.IsPanning) Pointing.Pointer.OnCaptureLost();
     }
 
     protected override Size ArrangeOverride(Size finalSize)
@@ -247,27 +247,27 @@ public sealed class DrawingCanvas : Panel
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == ViewProperty) Follow(change.GetOldValue<ViewSession?>(), change.GetNewValue<ViewSession?>());
-        else if (change.Property == HighlightProperty || change.Property == PlaybackPositionProperty || change.Property == MachineProperty || change.Property == ShowsGripsProperty) UpdateSigns();
-        else if (change.Property == SceneProperty) TakeScene();
+        if (change.Property == ViewProperty) SubscribeToView(change.GetOldValue<ViewSession?>(), change.GetNewValue<ViewSession?>());
+        else if (change.Property == HighlightProperty || change.Property == PlaybackPositionProperty || change.Property == MachineProperty || change.Property == ShowsGripsProperty) UpdateMarkers();
+        else if (change.Property == SceneProperty) OnSceneChanged();
         else if (change.Property == OverlayProperty || change.Property == SelectionProperty || change.Property == EngravedMovesProperty) UpdateContent();
     }
 
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
-        _refiner.Rest();
+        _refiner.Stop();
         base.OnDetachedFromVisualTree(e);
     }
 
-    private void TakeScene()
+    private void OnSceneChanged()
     {
         Pointing.DropScene();
         UpdateContent();
-        UpdateSigns();
+        UpdateMarkers();
         Pointing.PointAgain();
     }
 
-    private void Follow(ViewSession? before, ViewSession? now)
+    private void SubscribeToView(ViewSession? before, ViewSession? now)
     {
         if (before is not null) before.Changed -= OnViewChanged;
         if (now is not null) now.Changed += OnViewChanged;
@@ -279,15 +279,15 @@ public sealed class DrawingCanvas : Panel
     /// <summary>May come from any thread.</summary>
     private void OnViewChanged(object? sender, EventArgs e)
     {
-        if (Dispatcher.UIThread.CheckAccess()) TakeView();
-        else Dispatcher.UIThread.Post(TakeView);
+        if (Dispatcher.UIThread.CheckAccess()) OnViewUpdated();
+        else Dispatcher.UIThread.Post(OnViewUpdated);
     }
 
-    private void TakeView()
+    private void OnViewUpdated()
     {
         UpdateView();
         UpdateContent();
-        UpdateSigns();
+        UpdateMarkers();
         Pointing.PointAgain();
     }
 
@@ -299,14 +299,14 @@ public sealed class DrawingCanvas : Panel
         var pixels = new PixelSize((int)Math.Round(size.Width * scaling), (int)Math.Round(size.Height * scaling));
         if (pixels.Width <= 0 || pixels.Height <= 0) return;
         var view = new CanvasView(state.Centre, state.Height / pixels.Height, pixels);
-        if (view == _keeper.View) return;
-        var before = _keeper.View;
-        _keeper.View = view;
-        if (_keeper.Content.Scaling != scaling) Pointing.Pointer.DropBox(); // on another screen
+        if (view == _cache.View) return;
+        var before = _cache.View;
+        _cache.View = view;
+        if (_cache.Content.Scaling != scaling) Pointing.Pointer.DropBox(); // on another screen
         else Pointing.Pointer.ViewMoved(at => Moved(at, before));
-        UpdateSigns();
+        UpdateMarkers();
         _picture.InvalidateVisual();
-        _refiner.WaitForHand();
+        _refiner.OnViewMoving();
     }
 
     /// <summary>Where a point of the control lies now that lay there in a view before.</summary>
@@ -319,29 +319,29 @@ public sealed class DrawingCanvas : Panel
     private void UpdateContent()
     {
         var state = View?.Current ?? ViewState.Default;
-        var content = _keeper.Content with
+        var content = _cache.Content with
         {
             Scene = Scene, Overlay = Overlay ?? OverlayScene.Empty, Shown = state.Shown, Grid = state.Grid, Theme = CanvasTheme.Of(state.Theme),
             Selected = Flags(Scene, Selection), EngravedMoves = EngravedMoves, Scaling = Scaling,
         };
-        if (content == _keeper.Content) return;
-        _keeper.Content = content;
-        UpdateSigns();
-        _refiner.DrawSoon();
+        if (content == _cache.Content) return;
+        _cache.Content = content;
+        UpdateMarkers();
+        _refiner.RefineSoon();
     }
 
     /// <summary>The selection as flags by entity; the same array while the selection is the same list, so that nothing is drawn again without need.</summary>
     private bool[]? Flags(CanvasScene? scene, IReadOnlyList<int>? selection)
     {
         if (scene is null || selection is not { Count: > 0 }) return null;
-        if (ReferenceEquals(_flagged, selection) && _keeper.Content.Selected is { } known && known.Length == scene.Drawing.Entities.Count) return known;
+        if (ReferenceEquals(_flaggedSelection, selection) && _cache.Content.Selected is { } known && known.Length == scene.Drawing.Entities.Count) return known;
         var flags = new bool[scene.Drawing.Entities.Count];
         foreach (var entity in selection)
         {
             if ((uint)entity < (uint)flags.Length) flags[entity] = true;
         }
 
-        _flagged = selection;
+        _flaggedSelection = selection;
         return flags;
     }
 

@@ -8,13 +8,13 @@ namespace Engraver.App.Canvas;
 public interface ICanvasCommands
 {
     /// <summary>The kind of point that the running command requests: clicks then give points instead of selecting; null if no point is requested.</summary>
-    PointAim? Aim { get; }
+    PointRequest? Aim { get; }
 
     /// <summary>The result of Enter, independent of the cursor; null if there is no preview.</summary>
-    GhostOf? Preview { get; }
+    GhostFunction? Preview { get; }
 
     /// <summary>The instruction of the active prompt.</summary>
-    string Asked { get; }
+    string Instruction { get; }
 
     /// <summary>Selects what is under the pickbox.</summary>
     /// <param name="entity">The nearest entity.</param>
@@ -35,7 +35,7 @@ public interface ICanvasCommands
     void PointGiven(Point2D place, bool remove);
 
     /// <summary>A grip of the selection was pressed; it is dragged from now on.</summary>
-    void GripHeld(Point2D grip);
+    void GripPressed(Point2D grip);
 
     /// <summary>The grip that was dragged was released.</summary>
     void GripDropped(Point2D place);

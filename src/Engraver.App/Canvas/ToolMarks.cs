@@ -31,7 +31,7 @@ internal static class ToolMarks
         var (halo, pen) = (CanvasBrushes.Pen(colours.Background, 4.0), CanvasBrushes.Pen(colour, 2.0));
         foreach (var stroke in new[] { halo, pen }) DrawCross(context, stroke, at, Core, Reach);
         context.DrawEllipse(CanvasBrushes.Brush(colour), CanvasBrushes.Pen(colours.Background, 1.5), at, Core + 1.0, Core + 1.0);
-        if (!mark.IsCertain) DrawDoubt(context, at + new Point(Reach - 4.0, -Reach - 10.0), colour);
+        if (!mark.IsCertain) DrawUncertain(context, at + new Point(Reach - 4.0, -Reach - 10.0), colour);
     }
 
     public static void DrawPlayback(DrawingContext context, Point at, CanvasTheme colours)
@@ -70,6 +70,6 @@ internal static class ToolMarks
         context.DrawGeometry(CanvasBrushes.Brush(colour), CanvasBrushes.Pen(colours.Background, 1.5), new PolylineGeometry([tip, back + side, back - side], isFilled: true));
     }
 
-    private static void DrawDoubt(DrawingContext context, Point at, uint colour) =>
+    private static void DrawUncertain(DrawingContext context, Point at, uint colour) =>
         context.DrawText(new FormattedText("?", System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, 16.0, CanvasBrushes.Brush(colour)), at);
 }

@@ -10,7 +10,7 @@ namespace Engraver.App.CommandWindow;
 public partial class CommandLineView : UserControl
 {
     /// <summary>Maximum number of visible suggestions; the rest are scrolled.</summary>
-    private const int SuggestionsSeen = 12;
+    private const int MaxVisibleSuggestions = 12;
 
     public CommandLineView()
     {
@@ -67,8 +67,8 @@ public partial class CommandLineView : UserControl
             case Key.Enter: Model.Submit(); break;
             case Key.Up when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - 1); break;
             case Key.Down when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + 1); break;
-            case Key.PageUp when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - SuggestionsSeen); break;
-            case Key.PageDown when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + SuggestionsSeen); break;
+            case Key.PageUp when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - MaxVisibleSuggestions); break;
+            case Key.PageDown when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + MaxVisibleSuggestions); break;
             case Key.Up: Model.Back(); break;
             case Key.Down: Model.Forward(); break;
             case Key.Tab when Model.HasSuggestions: Model.Complete(); break;
@@ -81,7 +81,7 @@ public partial class CommandLineView : UserControl
 
     private void OnLineKey(object? sender, KeyEventArgs e)
     {
-        if (e.Key == Key.Enter && Model is { HasSuggestions: true, Suggested: >= 0 and var chosen }) Model.Take(Model.Suggestions[chosen]);
+        if (e.Key == Key.Enter && Model is { HasSuggestions: true, Suggested: >= 0 and var chosen }) Model.Accept(Model.Suggestions[chosen]);
         else if (e.KeyModifiers != KeyModifiers.None || !Press(e.Key)) return;
         e.Handled = true;
     }
@@ -102,6 +102,6 @@ public partial class CommandLineView : UserControl
 
     private void OnSuggestionClick(object? sender, PointerReleasedEventArgs e)
     {
-        if ((e.Source as Control)?.DataContext is CommandSuggestion suggestion) Model.Take(suggestion);
+        if ((e.Source as Control)?.DataContext is CommandSuggestion suggestion) Model.Accept(suggestion);
     }
 }

@@ -8,42 +8,42 @@ using Engraver.Workbench.Machines;
 namespace Engraver.App.CommandWindow;
 
 /// <summary>The command window and its line: history, prompt with its options, the typed line, suggestions.</summary>
-public sealed class CommandWindowModel : Observable, ISeen
+public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
 {
-    private const int MostLines = 5000;
+    private const int MaxLines = 5000;
     private readonly DesktopModel _desk;
     private readonly InputHistory _inputs = new();
     private PromptView _shown = PromptView.Idle;
     private string _line = "";
     private IReadOnlyList<CommandSuggestion> _suggestions = [];
     private int _suggested = -1;
-    private bool _isSeen;
+    private bool _isPageVisible;
 
     public CommandWindowModel(DesktopModel desk)
     {
         _desk = desk;
-        Choose = new Act(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name));
-        desk.Notifications.Said += OnSaid;
+        Choose = new RelayCommand(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name));
+        desk.Notifications.Said += OnMessagesAdded;
         desk.Notifications.Changed += OnChanged;
     }
 
     public ObservableCollection<HistoryLine> History { get; } = [];
 
     /// <summary>The history is visible. While it is not, the command line shows the last message.</summary>
-    public bool IsSeen
+    public bool IsPageVisible
     {
-        get => _isSeen;
-        set => Set(ref _isSeen, value);
+        get => _isPageVisible;
+        set => SetProperty(ref _isPageVisible, value);
     }
 
     /// <summary>The last message; null at the start.</summary>
     public HistoryLine? Last => History.LastOrDefault(line => line.Text.Trim().Length > 0);
 
     /// <summary>A click on an option of the prompt.</summary>
-    public Act Choose { get; }
+    public RelayCommand Choose { get; }
 
     /// <summary>Instruction and default without the options, which are shown beside it as buttons.</summary>
-    public string Instruction => _desk.Queue.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + Work(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.Queue.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + WorkText(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
@@ -55,7 +55,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         get => _line;
         set
         {
-            if (!Set(ref _line, value ?? "")) return;
+            if (!SetProperty(ref _line, value ?? "")) return;
             Suggest();
         }
     }
@@ -66,8 +66,8 @@ public sealed class CommandWindowModel : Observable, ISeen
         get => _suggestions;
         private set
         {
-            Set(ref _suggestions, value);
-            Tell(nameof(HasSuggestions));
+            SetProperty(ref _suggestions, value);
+            OnPropertyChanged(nameof(HasSuggestions));
         }
     }
 
@@ -77,12 +77,12 @@ public sealed class CommandWindowModel : Observable, ISeen
     public int Suggested
     {
         get => _suggested;
-        set => Set(ref _suggested, value);
+        set => SetProperty(ref _suggested, value);
     }
 
     /// <summary>True if Space ends the input, as Enter does: except in an answer that may contain spaces, and in a path, which may be typed before the
     /// command has requested it.</summary>
-    public bool SpaceSubmits => !_desk.Prompt.TakesSpaces && !TypedFileName.IsPath(_line);
+    public bool SpaceSubmits => !_desk.Prompt.AllowsSpaces && !TypedFileName.IsPath(_line);
 
     /// <summary>Enter (or Space): passes the line to the command session.</summary>
     public void Submit()
@@ -90,7 +90,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         var input = Line;
         _inputs.Add(input);
         Line = "";
-        _ = _desk.Queue.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
+        _ = _desk.Queue.TypeAsync(DirectDistance.Read(input, _desk.Session.DirectDistanceBase, _desk.Cursor));
     }
 
     /// <summary>Pasted text of several lines: complete lines are passed to the command session after the typed text; an incomplete last line stays in the
@@ -112,9 +112,9 @@ public sealed class CommandWindowModel : Observable, ISeen
         return line;
     }
 
-    public void Take(CommandSuggestion suggestion)
+    public void Accept(CommandSuggestion suggestion)
     {
-        var input = Named(suggestion);
+        var input = DisplayName(suggestion);
         Line = "";
         _inputs.Add(input);
         _ = _desk.Queue.TypeAsync(input);
@@ -125,7 +125,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     {
         if (_suggestions.Count == 0) return;
         var (suggestions, next) = (_suggestions, (_suggested + 1) % _suggestions.Count);
-        Set(ref _line, Named(suggestions[next]), nameof(Line));
+        SetProperty(ref _line, DisplayName(suggestions[next]), nameof(Line));
         (Suggestions, Suggested) = (suggestions, next);
     }
 
@@ -133,7 +133,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     public IReadOnlyList<string> Recent => [.. _inputs.Recent.Where(input => _desk.Session.Catalog.Find(_desk.Session.Aliases.Commands.GetValueOrDefault(input.ToUpperInvariant(), input)) is not { Info.StartsMotion: true })];
 
     /// <summary>Repeats a recent input.</summary>
-    public void Again(string input)
+    public void Repeat(string input)
     {
         Line = "";
         _inputs.Add(input);
@@ -153,7 +153,7 @@ public sealed class CommandWindowModel : Observable, ISeen
 
     /// <summary>The running operation while there is no prompt, and how it is ended: Esc holds a running job, and does nothing to one that is braking or
     /// held.</summary>
-    private static string Work(MachineState state) => state switch
+    private static string WorkText(MachineState state) => state switch
     {
         MachineState.Running or MachineState.DryRun => "JobRunning",
         MachineState.Held => "JobHeld",
@@ -162,38 +162,38 @@ public sealed class CommandWindowModel : Observable, ISeen
     };
 
     /// <summary>The name of a suggested command, with the typed apostrophe before it, if any.</summary>
-    private string Named(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;
+    private string DisplayName(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;
 
     private void Recall(string line)
     {
-        Set(ref _line, line, nameof(Line));
+        SetProperty(ref _line, line, nameof(Line));
         Suggestions = [];
     }
 
     private void Suggest()
     {
-        var wanted = _desk.Prompt.Command is null || (_line.StartsWith('\'') && !_desk.Prompt.TakesSpaces);
+        var wanted = _desk.Prompt.Command is null || (_line.StartsWith('\'') && !_desk.Prompt.AllowsSpaces);
         Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text)] : [];
         Suggested = -1;
     }
 
-    private void OnSaid(IReadOnlyList<CommandMessage> messages)
+    private void OnMessagesAdded(IReadOnlyList<CommandMessage> messages)
     {
         foreach (var message in messages)
         {
             foreach (var line in HistoryLine.From(message)) History.Add(line);
         }
 
-        while (History.Count > MostLines) History.RemoveAt(0);
-        Tell(nameof(Last));
+        while (History.Count > MaxLines) History.RemoveAt(0);
+        OnPropertyChanged(nameof(Last));
     }
 
     private void OnChanged()
     {
-        Tell(nameof(Instruction));
+        OnPropertyChanged(nameof(Instruction));
         if (ReferenceEquals(_shown.Options, _desk.Prompt.Options)) return;
         _shown = _desk.Prompt;
-        Tell(nameof(Options));
-        Tell(nameof(HasOptions));
+        OnPropertyChanged(nameof(Options));
+        OnPropertyChanged(nameof(HasOptions));
     }
 }

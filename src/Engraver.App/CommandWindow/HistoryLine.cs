@@ -6,7 +6,7 @@ namespace Engraver.App.CommandWindow;
 public sealed record HistoryLine(MessageKind Kind, string Text)
 {
     /// <summary>Maximum number of displayed lines of one message, which may have a million.</summary>
-    private const int MostLinesOfOneMessage = 2000;
+    private const int MaxLinesPerMessage = 2000;
 
     public bool IsError => Kind == MessageKind.Error;
 
@@ -16,8 +16,8 @@ public sealed record HistoryLine(MessageKind Kind, string Text)
 
     public static IEnumerable<HistoryLine> From(CommandMessage message)
     {
-        var lines = message.Text.Split('\n', MostLinesOfOneMessage + 1);
-        for (var at = 0; at < Math.Min(lines.Length, MostLinesOfOneMessage); at++) yield return new HistoryLine(message.Kind, lines[at]);
-        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Get("Command.MoreLines", Texts.Text.Count("Count.Line", lines[^1].AsSpan().Count('\n') + 1)));
+        var lines = message.Text.Split('\n', MaxLinesPerMessage + 1);
+        for (var at = 0; at < Math.Min(lines.Length, MaxLinesPerMessage); at++) yield return new HistoryLine(message.Kind, lines[at]);
+        if (lines.Length > MaxLinesPerMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Get("Command.MoreLines", Texts.Text.Count("Count.Line", lines[^1].AsSpan().Count('\n') + 1)));
     }
 }

@@ -11,16 +11,16 @@ public sealed class WholeRows : Decorator
 
     protected override Size MeasureOverride(Size availableSize)
     {
-        Child?.Measure(availableSize.WithHeight(Whole(availableSize.Height)));
+        Child?.Measure(availableSize.WithHeight(RoundDownToRows(availableSize.Height)));
         return Child?.DesiredSize ?? default;
     }
 
     protected override Size ArrangeOverride(Size finalSize)
     {
-        var height = Whole(finalSize.Height);
+        var height = RoundDownToRows(finalSize.Height);
         Child?.Arrange(new Rect(0, finalSize.Height - height, finalSize.Width, height));
         return finalSize;
     }
 
-    private static double Whole(double room) => double.IsFinite(room) && room >= RowHeight ? Math.Floor(room / RowHeight) * RowHeight : room;
+    private static double RoundDownToRows(double room) => double.IsFinite(room) && room >= RowHeight ? Math.Floor(room / RowHeight) * RowHeight : room;
 }

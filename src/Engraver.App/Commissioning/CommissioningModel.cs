@@ -8,7 +8,7 @@ namespace Engraver.App.Commissioning;
 
 /// <summary>The commissioning page: its steps, their state, and buttons for the answers, which are entered into the conversation of
 /// CNCCOMMISSION.</summary>
-public sealed class CommissioningModel : Observable
+public sealed class CommissioningModel : ObservableObject
 {
     private const string Command = "CNCCOMMISSION";
     private readonly DesktopModel _desk;
@@ -18,39 +18,39 @@ public sealed class CommissioningModel : Observable
     public CommissioningModel(DesktopModel desk)
     {
         _desk = desk;
-        Begin = new Act(() => _ = desk.Queue.RunAsync(Command), () => desk.Session.Machine.Connection.Description is not null && !desk.IsMoving && !IsUnderWay);
-        BreakOff = new Act(() => _ = desk.Queue.CancelAsync(), () => IsUnderWay);
-        Answer = new Act(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name), () => IsAsked);
-        Keep = new Act(() => _ = desk.Queue.EnterAsync(""), () => IsAsked);
-        desk.Notifications.Changed += Look;
-        Look();
+        Start = new RelayCommand(() => _ = desk.Queue.RunAsync(Command), () => desk.Session.Machine.Connection.Description is not null && !desk.IsMoving && !IsRunning);
+        Abort = new RelayCommand(() => _ = desk.Queue.CancelAsync(), () => IsRunning);
+        Answer = new RelayCommand(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name), () => IsAsked);
+        KeepDefault = new RelayCommand(() => _ = desk.Queue.EnterAsync(""), () => IsAsked);
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
-    public Act Begin { get; }
+    public RelayCommand Start { get; }
 
-    public Act BreakOff { get; }
+    public RelayCommand Abort { get; }
 
     /// <summary>A click on one of the answers.</summary>
-    public Act Answer { get; }
+    public RelayCommand Answer { get; }
 
     /// <summary>Enter alone: keeps the present value.</summary>
-    public Act Keep { get; }
+    public RelayCommand KeepDefault { get; }
 
     public IReadOnlyList<CommissioningRow> Steps
     {
         get => _steps;
-        private set => Set(ref _steps, value);
+        private set => SetProperty(ref _steps, value);
     }
 
-    public bool IsUnderWay => _desk.Session.Commissioning.IsUnderWay;
+    public bool IsRunning => _desk.Session.Commissioning.IsRunning;
 
     /// <summary>The question without its options; empty while there is none.</summary>
-    public string Question => IsAsked ? PromptLine.WithoutOptions(_desk.Prompt.Text) : IsUnderWay ? Text.Get("Command.Working") : "";
+    public string Question => IsAsked ? PromptLine.WithoutOptions(_desk.Prompt.Text) : IsRunning ? Text.Get("Command.Working") : "";
 
     public IReadOnlyList<Keyword> Answers
     {
         get => _answers;
-        private set => Set(ref _answers, value);
+        private set => SetProperty(ref _answers, value);
     }
 
     /// <summary>Enter accepts a value that is not an option.</summary>
@@ -61,33 +61,33 @@ public sealed class CommissioningModel : Observable
     /// <summary>The answer is a value, which is typed.</summary>
     public bool IsTyped => IsAsked && (CanKeep || _desk.Prompt.Options.Count == 0);
 
-    private bool IsAsked => IsUnderWay && _desk.Prompt.Command == Command;
+    private bool IsAsked => IsRunning && _desk.Prompt.Command == Command;
 
-    private void Look()
+    private void Refresh()
     {
         IReadOnlyList<CommissioningRow> steps = [.. _desk.Session.Commissioning.Steps.Select(CommissioningRow.Of)];
         if (!steps.SequenceEqual(Steps)) Steps = steps;
         var answers = IsAsked ? _desk.Prompt.Options : [];
         if (!answers.SequenceEqual(Answers)) Answers = answers;
-        Tell(null);
-        foreach (var act in new[] { Begin, BreakOff, Answer, Keep }) act.Reconsider();
+        OnPropertyChanged(null);
+        foreach (var act in new[] { Start, Abort, Answer, KeepDefault }) act.RaiseCanExecuteChanged();
     }
 }
 
 /// <summary>A step and its state, in words.</summary>
-public sealed record CommissioningRow(string Title, string State, bool IsNow)
+public sealed record CommissioningRow(string Title, string State, bool IsCurrent)
 {
     public static CommissioningRow Of(CommissioningStepView step)
     {
         ArgumentNullException.ThrowIfNull(step);
         var state = step.State switch
         {
-            CommissioningState.Now => Text.Get("Commissioning.InProgress"),
-            CommissioningState.Through => Text.Get("Commissioning.Done"),
-            CommissioningState.LeftOut => Text.Get("Commissioning.Skipped"),
+            CommissioningState.InProgress => Text.Get("Commissioning.InProgress"),
+            CommissioningState.Done => Text.Get("Commissioning.Done"),
+            CommissioningState.Skipped => Text.Get("Commissioning.Skipped"),
             CommissioningState.Unfinished => Text.Get("Commissioning.Unfinished"),
             _ => "",
         };
-        return new CommissioningRow(Text.Get("Commissioning.Row", step.Number, step.Name), state, step.State == CommissioningState.Now);
+        return new CommissioningRow(Text.Get("Commissioning.Row", step.Number, step.Name), state, step.State == CommissioningState.InProgress);
     }
 }

@@ -7,9 +7,9 @@ using Engraver.Core.Machines;
 namespace Engraver.App.Connections;
 
 /// <summary>The sheet that asks for the controller's address. Its only result is the address with which CNCCONNECT is run.</summary>
-public sealed class ConnectModel : Observable
+public sealed class ConnectModel : ObservableObject
 {
-    private const double PlainSpeed = 1.0;
+    private const double RealTimeSpeed = 1.0;
     private readonly DesktopModel _desk;
     private LinkKind _kind;
     private bool _isOpen;
@@ -18,20 +18,20 @@ public sealed class ConnectModel : Observable
     private string _device = "";
     private int _baud = ControllerAddress.DefaultBaud;
     private FlowChoice _flow;
-    private bool _atOnce;
+    private bool _isMaxSpeed;
 
     public ConnectModel(DesktopModel desk)
     {
         _desk = desk;
         Flows = [new(SerialFlow.RtsCts, "rtscts"), new(SerialFlow.XonXoff, "xonxoff"), new(SerialFlow.None, "none")];
         _flow = Flows[0];
-        Connect = new Act(ConnectNow, () => IsAddress);
-        Cancel = new Act(() => IsOpen = false);
+        Connect = new RelayCommand(ConnectNow, () => IsAddress);
+        Cancel = new RelayCommand(() => IsOpen = false);
     }
 
-    public Act Connect { get; }
+    public RelayCommand Connect { get; }
 
-    public Act Cancel { get; }
+    public RelayCommand Cancel { get; }
 
     public IReadOnlyList<int> Bauds { get; } = [.. SerialLine.Rates];
 
@@ -40,7 +40,7 @@ public sealed class ConnectModel : Observable
     public bool IsOpen
     {
         get => _isOpen;
-        private set => Set(ref _isOpen, value);
+        private set => SetProperty(ref _isOpen, value);
     }
 
     public bool IsSimulated
@@ -62,10 +62,10 @@ public sealed class ConnectModel : Observable
     }
 
     /// <summary>True: the simulated controller computes its motion as fast as possible (speed max).</summary>
-    public bool AtOnce
+    public bool IsMaxSpeed
     {
-        get => _atOnce;
-        set => Change(ref _atOnce, value);
+        get => _isMaxSpeed;
+        set => Change(ref _isMaxSpeed, value);
     }
 
     public string Host
@@ -104,24 +104,24 @@ public sealed class ConnectModel : Observable
     {
         LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
         LinkKind.Serial => string.Create(CultureInfo.InvariantCulture, $"serial://{Device.Trim()}?baud={Baud}&flow={Flow.Word}"),
-        _ => AtOnce ? "sim:?speed=max" : "sim:?speed=1",
+        _ => IsMaxSpeed ? "sim:?speed=max" : "sim:?speed=1",
     };
 
     /// <summary>The line as it would be typed at the command line, or the name of the missing value.</summary>
-    public string Typed => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
+    public string CommandText => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
 
     private bool IsAddress => _desk.Session.Families.TryParseAddress(Address, out _);
 
     /// <summary>Shows the sheet as last used.</summary>
     public void Open()
     {
-        if (_desk.Session.Settings.Current.LastAddress is { } last && _desk.Session.Families.TryParseAddress(last, out var address)) Take(address);
-        Tell(null);
-        Connect.Reconsider();
+        if (_desk.Session.Settings.Current.LastAddress is { } last && _desk.Session.Families.TryParseAddress(last, out var address)) Load(address);
+        OnPropertyChanged(null);
+        Connect.RaiseCanExecuteChanged();
         IsOpen = true;
     }
 
-    private void Take(ControllerAddress address)
+    private void Load(ControllerAddress address)
     {
         switch (address)
         {
@@ -132,7 +132,7 @@ public sealed class ConnectModel : Observable
                 (_kind, _device, _baud, _flow) = (LinkKind.Serial, serial.Device, serial.Baud, Flows.First(choice => choice.Flow == serial.Flow));
                 break;
             case SimulatedAddress simulated:
-                (_kind, _atOnce) = (LinkKind.Simulated, simulated.SaysSpeed && simulated.Speed > PlainSpeed);
+                (_kind, _isMaxSpeed) = (LinkKind.Simulated, simulated.HasExplicitSpeed && simulated.Speed > RealTimeSpeed);
                 break;
         }
     }
@@ -150,9 +150,9 @@ public sealed class ConnectModel : Observable
 
     private void Change<T>(ref T field, T value)
     {
-        if (!Set(ref field, value)) return;
-        Tell(null);
-        Connect.Reconsider();
+        if (!SetProperty(ref field, value)) return;
+        OnPropertyChanged(null);
+        Connect.RaiseCanExecuteChanged();
     }
 }
 

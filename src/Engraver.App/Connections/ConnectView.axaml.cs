@@ -27,10 +27,10 @@ public partial class ConnectView : UserControl
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(TakeKeyboard, DispatcherPriority.Loaded);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(TakeFocus, DispatcherPriority.Loaded);
     }
 
-    private void TakeKeyboard()
+    private void TakeFocus()
     {
         if (Model.IsNetwork) HostBox.Focus();
         else if (Model.IsSerial) DeviceBox.Focus();

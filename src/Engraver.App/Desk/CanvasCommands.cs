@@ -17,13 +17,13 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     internal const string GripEdit = "GRIPEDIT";
 
     /// <summary>After the objects at a Shift click are removed, objects are added again.</summary>
-    private bool _returns;
+    private bool _returnsToAdding;
 
-    public PointAim? Aim => desk.Prompt.Aim;
+    public PointRequest? Aim => desk.Prompt.PointRequest;
 
-    public GhostOf? Preview => desk.Prompt.Preview;
+    public GhostFunction? Preview => desk.Prompt.Preview;
 
-    public string Asked => PromptLine.WithoutOptions(desk.Prompt.Text);
+    public string Instruction => PromptLine.WithoutOptions(desk.Prompt.Text);
 
     /// <summary>Selects, and moves the playback to where the entity is cut.</summary>
     /// <remarks>An entity is an index into one drawing: after an edit that the canvas or the plan does not show yet, the index would refer to another
@@ -44,12 +44,12 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public void PointGiven(Point2D place, bool remove) => _ = (remove, Aim) switch
     {
-        (true, { ShiftMark: { } mark }) => desk.Queue.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{mark}{place.X:R},{place.Y:R}")),
-        (true, { Use: PointUse.Object, Removes: false }) => RemoveAsync(place),
+        (true, { ShiftPrefix: { } mark }) => desk.Queue.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{mark}{place.X:R},{place.Y:R}")),
+        (true, { Purpose: PointPurpose.Object, IsDeselecting: false }) => RemoveAsync(place),
         _ => GiveAsync(place),
     };
 
-    public void GripHeld(Point2D grip) => _ = desk.Queue.RunAsync(GripEdit, string.Create(CultureInfo.InvariantCulture, $"{grip.X:R},{grip.Y:R}"));
+    public void GripPressed(Point2D grip) => _ = desk.Queue.RunAsync(GripEdit, string.Create(CultureInfo.InvariantCulture, $"{grip.X:R},{grip.Y:R}"));
 
     public void GripDropped(Point2D place) => _ = desk.Queue.PointAsync(place, GripEdit);
 
@@ -57,7 +57,7 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public void Menu(Point2D place)
     {
-        var objects = desk.Prompt.Aim is { Use: PointUse.Object };
+        var objects = desk.Prompt.PointRequest is { Purpose: PointPurpose.Object };
         if (desk.Prompt.Command is not null && (objects || desk.Prompt.Options.Count == 0)) _ = desk.Queue.EnterAsync("");
         else menu();
     }
@@ -66,7 +66,7 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     private async Task RemoveAsync(Point2D place)
     {
         if (desk.Prompt.Options.All(option => option.Name != "Remove")) return;
-        _returns = true;
+        _returnsToAdding = true;
         await desk.Queue.EnterAsync("Remove");
         await GiveAsync(place);
     }
@@ -74,28 +74,14 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     private async Task GiveAsync(Point2D place)
     {
         await desk.Queue.PointAsync(place);
-        if (!_returns || Aim is { Use: PointUse.Corner }) return;
-        _returns = false;
-        if (Aim is { Use: PointUse.Object, Removes: true }) await desk.Queue.EnterAsync("Add");
+        if (!_returnsToAdding || Aim is { Purpose: PointPurpose.Corner }) return;
+        _returnsToAdding = false;
+        if (Aim is { Purpose: PointPurpose.Object, IsDeselecting: true }) await desk.Queue.EnterAsync("Add");
     }
 
     public void CursorAt(Point2D? place)
     {
         desk.Cursor = place;
         if (place is { } at) pointed(at);
-    }
-}
-
-/// <summary>The text of a prompt as the desktop shows it.</summary>
-internal static class PromptLine
-{
-    /// <summary>Instruction and default without the options, which are shown beside it as buttons.</summary>
-    public static string WithoutOptions(string prompt)
-    {
-        var open = prompt.IndexOf(" [", StringComparison.Ordinal);
-        var close = open < 0 ? -1 : prompt.IndexOf(']', open);
-        if (close < 0) return prompt;
-        var before = prompt[..open];
-        return (before.EndsWith(" or", StringComparison.Ordinal) ? before[..^3] : before) + prompt[(close + 1)..];
     }
 }

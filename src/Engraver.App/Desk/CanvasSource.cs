@@ -21,18 +21,18 @@ public sealed class CanvasSource
     private PreparedJob? _job;
     private MachineOverlay? _machine;
     private TrajectoryList _trajectories = TrajectoryList.Empty;
-    private readonly FirstPicture _first;
+    private readonly FirstPictureGate _firstPicture;
 
     public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
     {
         (_desk, _canvas) = (desk, canvas);
         canvas.View = desk.Session.View;
-        _first = new FirstPicture(desk.Time);
-        desk.Session.Derivation.Before = state => _first.Of(state.Drawing);
-        canvas.PictureDrawn += () => _first.Show(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
-        desk.Notifications.Changed += Look;
-        desk.Derived.Moved += ShowTool;
-        Look();
+        _firstPicture = new FirstPictureGate(desk.Time);
+        desk.Session.Derivation.Prerequisite = state => _firstPicture.WhenShown(state.Drawing);
+        canvas.PictureDrawn += () => _firstPicture.OnShown(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
+        desk.Notifications.Changed += Refresh;
+        desk.Derived.ToolMoved += ShowTool;
+        Refresh();
     }
 
     /// <summary>Completes when the current drawing and job are shown.</summary>
@@ -41,22 +41,22 @@ public sealed class CanvasSource
     /// <summary>The canvas shows the current document and its derivation; false while a change has not yet reached the window.</summary>
     public bool IsCurrent => Shown.IsCompleted && ReferenceEquals(_desk.Session.Document.Current.Drawing, _drawing) && ReferenceEquals(_desk.Derived.Job, _job);
 
-    private void Look()
+    private void Refresh()
     {
         var state = _desk.Session.Document.Current;
         if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
-        var lit = _desk.Session.Lit;
+        var lit = _desk.Session.HighlightedEntities;
         if (!ReferenceEquals(_canvas.Selection, lit)) _canvas.Selection = lit;
         _canvas.ShowsGrips = ReferenceEquals(lit, state.Selection) && _desk.Prompt.Command is null or CanvasCommands.GripEdit;
         ShowTrajectories(state.Sidecar.Trajectories);
         ShowMachine();
-        TakeVariables(_desk.Session.Settings.Current);
+        ApplyVariables(_desk.Session.Settings.Current);
         _canvas.Pointing.TakeAim();
         ShowTool();
     }
 
-    private void TakeVariables(DesktopSettings settings)
+    private void ApplyVariables(DesktopSettings settings)
     {
         (_canvas.CursorSize, _canvas.Pointing.PickBox, _canvas.Pointing.Aids.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
         (_canvas.Pointing.ZoomFactor, _canvas.Pointing.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
@@ -78,7 +78,7 @@ public sealed class CanvasSource
     {
         var derived = _desk.Derived.Current;
         var machine = _machine = MachineOverlay.Of(job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
-        var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, machine.Over(CanvasInputs.From(derived))));
+        var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, machine.ApplyTo(OverlayInputBuilder.From(derived))));
         if (ReferenceEquals(job, _job)) _canvas.Overlay = WithTrajectories(overlay);
     }
 
@@ -101,25 +101,25 @@ public sealed class CanvasSource
         var now = MachineOverlay.Of(_job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
         if (now == _machine || _canvas.Overlay is not { } overlay || !Shown.IsCompleted) return;
         _machine = now;
-        _canvas.Overlay = overlay.WithMachine(now.Over(OverlayInputs.None));
+        _canvas.Overlay = overlay.WithMachine(now.ApplyTo(OverlayInputs.None));
     }
 
     /// <summary>Shows the position of the machine, always, and of the playback, while it is in use.</summary>
     private void ShowTool()
     {
         var (status, state) = (_desk.Session.Machine.Status, _desk.Session.Document.Current);
-        _canvas.Machine = MachineMarks.Of(_desk.Session.Machine, state);
+        _canvas.Machine = MachineMarkBuilder.Of(_desk.Session.Machine, state);
         var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing refers to other entities and points
         var moment = _desk.Session.Playback.IsShown && isOfScene ? _desk.Derived.Moment : null;
         _canvas.PlaybackPosition = moment?.Position is { } at ? state.Scale.ToDrawing(at) : null;
         _canvas.Highlight = moment?.Entity is >= 0 and var entity ? entity : null;
-        _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Runs.Part?.Shown.Segments ?? 0);
+        _canvas.EngravedMoves = _desk.Session.SequenceAnimation.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Runs.Part?.Shown.Segments ?? 0);
     }
 
     /// <summary>Number of moves of the job's toolpath that are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Session.Machine.Runs.ShownJob?.Followed is not null) return 0; // trajectories are no moves of the toolpath
+        if (segmentsDone == 0 || _desk.Session.Machine.Runs.ShownJob?.Trajectories is not null) return 0; // trajectories are no moves of the toolpath
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }

@@ -11,7 +11,7 @@ namespace Engraver.App.Desk;
 /// <para>What runs: inputs run one after the other.</para>
 /// <para>What runs beside: while a command is at work, commands that may run beside it, and the answers to them, run one after the other too. An urgent one
 /// (stop, hold, status) waits for nothing.</para>
-/// <para>What waits: other typed inputs are kept and run when the command at work has ended properly (<see cref="TypedAhead"/>).</para>
+/// <para>What waits: other typed inputs are kept and run when the command at work has ended properly (<see cref="TypeAheadBuffer"/>).</para>
 /// <para>All members are for the UI thread.</para>
 /// </remarks>
 public sealed class CommandQueue : IAsyncDisposable
@@ -67,7 +67,7 @@ public sealed class CommandQueue : IAsyncDisposable
     }
 
     /// <summary>Takes one input from the command line. While a command is at work it runs beside it, or is kept and run when that command has ended properly
-    /// (<see cref="TypedAhead"/>).</summary>
+    /// (<see cref="TypeAheadBuffer"/>).</summary>
     public Task<InputResult> TypeAsync(string input)
     {
         if (IsAtWork && _session.Beside.IsUrgent(input)) return EnterAsync(input);
@@ -96,18 +96,18 @@ public sealed class CommandQueue : IAsyncDisposable
     /// <summary>Answers the question for a file, unless it was answered or ended in the meantime. The dialog has already asked whether an existing file may be
     /// replaced.</summary>
     /// <param name="path">Null: Enter alone.</param>
-    public Task<InputResult> AnswerFileAsync(FileWanted wanted, string? path) => Enqueue(async () =>
+    public Task<InputResult> AnswerFileAsync(FileRequest wanted, string? path) => Enqueue(async () =>
     {
-        if (!ReferenceEquals(_session.Prompt.File, wanted)) return new InputResult.Cancelled();
-        var result = await _session.EnterAsync(path is null ? "" : TypedFileName.Write(path), Closing).ConfigureAwait(false);
-        return result is InputResult.Asking && _session.Prompt.Replaces ? await _session.EnterAsync("Yes", Closing).ConfigureAwait(false) : result;
+        if (!ReferenceEquals(_session.Prompt.FileRequest, wanted)) return new InputResult.Cancelled();
+        var result = await _session.EnterAsync(path is null ? "" : TypedFileName.Format(path), Closing).ConfigureAwait(false);
+        return result is InputResult.AwaitingInput && _session.Prompt.ConfirmsReplacing ? await _session.EnterAsync("Yes", Closing).ConfigureAwait(false) : result;
     });
 
     /// <summary>Esc. Where nothing is typed, asked, at work or selected, it ends the planning of the job.</summary>
     public Task CancelAsync()
     {
-        _session.Ahead.Flush();
-        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0 && _session.Derivation.GiveUp()) _notifications.Say(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
+        _session.TypeAhead.Flush();
+        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0 && _session.Derivation.Cancel()) _notifications.Say(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
         return Cancelled = IsBusy ? Task.Run(_session.CancelAsync) : Enqueue(CancelNowAsync);
     }
 
@@ -159,14 +159,14 @@ public sealed class CommandQueue : IAsyncDisposable
     private Task<InputResult> TypeNow(string input)
     {
         if ((_kept == 0 || _session.Beside.Asks) && (!IsAtWork || _session.Beside.Takes(input))) return EnterAsync(input);
-        if (_session.Ahead.WhyNot(input) is { } refused)
+        if (_session.TypeAhead.RefusalOf(input) is { } refused)
         {
             _notifications.Say(MessageKind.Error, refused);
-            return Task.FromResult<InputResult>(new InputResult.NotUnderstood(refused));
+            return Task.FromResult<InputResult>(new InputResult.NotAccepted(refused));
         }
 
         _notifications.Say(MessageKind.Note, Texts.Text.Get("Command.Queued", input.Trim()));
-        var (before, typedAt) = (_inputs.Last, _session.Ahead.Flushed);
+        var (before, typedAt) = (_inputs.Last, _session.TypeAhead.Flushed);
         _kept++;
         return Enqueue(() => RunKeptAsync(input, typedAt, before));
     }
@@ -174,7 +174,7 @@ public sealed class CommandQueue : IAsyncDisposable
     private async Task<InputResult> RunKeptAsync(string input, int typedAt, Task<InputResult> before)
     {
         Interlocked.Decrement(ref _kept);
-        return await _session.Ahead.EnterAsync(input, typedAt, before.IsCompletedSuccessfully ? await before.ConfigureAwait(false) : new InputResult.Cancelled(), Closing).ConfigureAwait(false);
+        return await _session.TypeAhead.EnterAsync(input, typedAt, before.IsCompletedSuccessfully ? await before.ConfigureAwait(false) : new InputResult.Cancelled(), Closing).ConfigureAwait(false);
     }
 
     /// <summary>An input that is typed while another is on its way beside the command at work may be an answer to it: its turn comes when that one is
@@ -218,16 +218,16 @@ public sealed class CommandQueue : IAsyncDisposable
 
     private async Task<InputResult> RunNowAsync(string[] inputs)
     {
-        var transparent = _session.Catalog.Find(inputs[0]) is { Info.Transparent: true };
+        var transparent = _session.Catalog.Find(inputs[0]) is { Info.IsTransparent: true };
         var inside = transparent && _session.Prompt.Command is not null;
         if (!inside && _session.Prompt.Command is not null) await _session.CancelAsync().ConfigureAwait(false);
-        InputResult result = new InputResult.Asking();
-        for (var at = 0; at < inputs.Length && result is InputResult.Asking; at++)
+        InputResult result = new InputResult.AwaitingInput();
+        for (var at = 0; at < inputs.Length && result is InputResult.AwaitingInput; at++)
         {
-            result = at == 0 && inside ? await _session.EnterInsideAsync(inputs[0], Closing).ConfigureAwait(false) : await _session.EnterAsync(inputs[at], Closing).ConfigureAwait(false);
+            result = at == 0 && inside ? await _session.EnterNestedAsync(inputs[0], Closing).ConfigureAwait(false) : await _session.EnterAsync(inputs[at], Closing).ConfigureAwait(false);
         }
 
-        if (result is InputResult.NotUnderstood && inputs.Length > 1) await _session.CancelAsync().ConfigureAwait(false);
+        if (result is InputResult.NotAccepted && inputs.Length > 1) await _session.CancelAsync().ConfigureAwait(false);
         return result;
     }
 
@@ -235,9 +235,9 @@ public sealed class CommandQueue : IAsyncDisposable
     private async Task<InputResult> RunBesideNowAsync(string[] inputs)
     {
         await _session.Beside.EndAsync().ConfigureAwait(false);
-        InputResult result = new InputResult.Asking();
-        for (var at = 0; at < inputs.Length && result is InputResult.Asking; at++) result = await _session.EnterAsync(inputs[at], Closing).ConfigureAwait(false);
-        if (result is InputResult.NotUnderstood && inputs.Length > 1) await _session.Beside.EndAsync().ConfigureAwait(false);
+        InputResult result = new InputResult.AwaitingInput();
+        for (var at = 0; at < inputs.Length && result is InputResult.AwaitingInput; at++) result = await _session.EnterAsync(inputs[at], Closing).ConfigureAwait(false);
+        if (result is InputResult.NotAccepted && inputs.Length > 1) await _session.Beside.EndAsync().ConfigureAwait(false);
         return result;
     }
 

@@ -11,23 +11,23 @@ namespace Engraver.App.Desk;
 public sealed class DerivedModel(CommandSession session)
 {
     /// <summary>Seconds of the plan; a smaller step does not move the playback, so that an operator can browse it while the job is held.</summary>
-    private const double LeastStep = 0.001;
+    private const double MinStep = 0.001;
 
     private PostedLines _lines = PostedLines.None;
-    private bool _follows;
+    private bool _wasFollowing;
 
     /// <summary>Last reported progress of the job that is planned here, and the time of the plan that it had reached then.</summary>
-    private EngravedProgress? _told;
-    private double _reached;
+    private EngravedProgress? _lastProgress;
+    private double _reachedSeconds;
 
     /// <summary>Raised after the tool of the playback has moved.</summary>
-    public event Action? Moved;
+    public event Action? ToolMoved;
 
     /// <summary>Raised when a program starts to be written in the background; the task ends when it is complete.</summary>
     public event Action<Task>? Posting;
 
     /// <summary>The playback follows a job that runs on the machine.</summary>
-    public bool FollowsMachine => _follows;
+    public bool FollowsMachine => _wasFollowing;
 
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
@@ -106,26 +106,26 @@ public sealed class DerivedModel(CommandSession session)
     public double FractionDone(EngravedProgress told) => IsPlannedHere(told) && Current.Motion is { DurationSeconds: > 0.0 } motion ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
 
     /// <summary>Factor by which the planned time grows under overrides; less than 1 if it shrinks.</summary>
-    public double TimeUnder(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
+    public double TimeFactor(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
 
     /// <summary>Takes the current state of derivation and playback.</summary>
-    internal void Look()
+    internal void Refresh()
     {
         Current = session.Derivation.Current;
         ForgetOldLines();
         if (!ReferenceEquals(session.Playback.Motion, Current.Motion)) session.Playback.Load(Current.Motion);
         var runs = FollowMachine();
-        LookWhereToolIs();
-        if (!runs) _follows = false;
+        RefreshToolPosition();
+        if (!runs) _wasFollowing = false;
     }
 
     /// <summary>Queries the position of the playback.</summary>
-    internal void LookWhereToolIs()
+    internal void RefreshToolPosition()
     {
         var moment = session.Playback.Moment;
         if (moment == Moment) return;
         Moment = moment;
-        Moved?.Invoke();
+        ToolMoved?.Invoke();
     }
 
     /// <summary>While the planned job runs, and once at its end, moves the playback to the position of the machine.</summary>
@@ -136,20 +136,20 @@ public sealed class DerivedModel(CommandSession session)
         var runs = status.State.IsJob();
         if (!runs && !FollowsMachine) return false;
         if (Current.Motion is not { } motion || status.Progress is not { } told || !IsPlannedHere(told)) return runs;
-        if (!_follows)
+        if (!_wasFollowing)
         {
             session.Playback.Pause();
-            (_follows, _told) = (true, null);
+            (_wasFollowing, _lastProgress) = (true, null);
         }
 
         var now = SecondsDone(motion, told);
-        if (_told is null || Math.Abs(now - _reached) >= LeastStep) session.Playback.Follow(_reached = now);
-        _told = told;
+        if (_lastProgress is null || Math.Abs(now - _reachedSeconds) >= MinStep) session.Playback.Follow(_reachedSeconds = now);
+        _lastProgress = told;
         return runs;
     }
 
     /// <summary>The running job is the planned one, not one of trajectories or one fitted to a slow line.</summary>
-    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.Runs.ShownJob?.Followed is null;
+    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.Runs.ShownJob?.Trajectories is null;
 
     /// <summary>The time of the plan that the machine has reached: inside a segment by the distance along it, between strokes at the next segment. Within
     /// one segment it does not go back (after a hold with moves away, or a stop).</summary>
@@ -157,6 +157,6 @@ public sealed class DerivedModel(CommandSession session)
     {
         if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;
         var now = told.IsOnPath ? motion.TimeOfPlace(told.SegmentsDone, told.Position) : motion.TimeOfSegment(told.SegmentsDone);
-        return _told?.SegmentsDone == told.SegmentsDone ? Math.Max(now, _reached) : now;
+        return _lastProgress?.SegmentsDone == told.SegmentsDone ? Math.Max(now, _reachedSeconds) : now;
     }
 }

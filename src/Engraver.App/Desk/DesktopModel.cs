@@ -14,21 +14,21 @@ namespace Engraver.App.Desk;
 public sealed class DesktopModel : IAsyncDisposable
 {
     /// <summary>A finding is shown with this many times its size around it.</summary>
-    private const double RoomAround = 4.0;
+    private const double FindingMargin = 4.0;
 
     /// <summary>... and never nearer than this part of the drawing.</summary>
-    private const double LeastPart = 0.02;
+    private const double MinPart = 0.02;
 
-    private readonly ReleasedMemory _released;
+    private readonly MemoryReclaimer _memory;
 
     public DesktopModel(CommandSession session, TimeProvider time)
     {
         (Session, Time) = (session, time);
         Derived = new DerivedModel(session);
-        _released = ReleasedMemory.OfDesktop(() => IsMoving);
-        Notifications = new DesktopNotifications(session, Derived, _released);
+        _memory = MemoryReclaimer.ForDesktop(() => IsMoving);
+        Notifications = new DesktopNotifications(session, Derived, _memory);
         Queue = new CommandQueue(session, Notifications);
-        session.Derivation.KeepsUp = true;
+        session.Derivation.IsAutomatic = true;
     }
 
     public CommandSession Session { get; }
@@ -54,7 +54,7 @@ public sealed class DesktopModel : IAsyncDisposable
     public bool IsMoving => Moves(Session.Machine);
 
     /// <summary>The memory of every large drawing that is gone has been returned to the computer.</summary>
-    internal bool IsMemoryReleased => _released.IsDone;
+    internal bool IsMemoryReclaimed => _memory.IsDone;
 
     /// <summary>True while a job runs or anything moves; from any thread.</summary>
     public static bool Moves(MachineSession machine) => machine.IsRunning || machine.Status.State.IsMotion();
@@ -65,7 +65,7 @@ public sealed class DesktopModel : IAsyncDisposable
         await Queue.Idle;
         try
         {
-            if (!Session.Derivation.IsGivenUp) await Session.Derivation.ForCurrentAsync(Queue.Closing);
+            if (!Session.Derivation.IsCancelled) await Session.Derivation.ForCurrentAsync(Queue.Closing);
         }
         catch (OperationCanceledException)
         {
@@ -90,7 +90,7 @@ public sealed class DesktopModel : IAsyncDisposable
         if (finding.Place is { } place)
         {
             var whole = Session.View.ExtentsOf(drawing);
-            var part = LeastPart * Math.Max(whole.Width, whole.Height);
+            var part = MinPart * Math.Max(whole.Width, whole.Height);
             Session.View.FocusOn(new ViewFocus(drawing.Scale.ToDrawing(place), finding), part > 0.0 ? part : null);
             return;
         }
@@ -99,7 +99,7 @@ public sealed class DesktopModel : IAsyncDisposable
         var box = DrawingExtents.Measure(drawing, [entity]);
         if (box.IsEmpty) return;
         var everything = Session.View.ExtentsOf(drawing);
-        var height = Math.Max(RoomAround * Math.Max(box.Width, box.Height), LeastPart * Math.Max(everything.Width, everything.Height));
+        var height = Math.Max(FindingMargin * Math.Max(box.Width, box.Height), MinPart * Math.Max(everything.Width, everything.Height));
         Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding), height > 0.0 ? height : null);
     }
 
@@ -107,7 +107,7 @@ public sealed class DesktopModel : IAsyncDisposable
     public void StopNow()
     {
         Session.Machine.Controls.Stop();
-        Session.Ahead.Flush();
+        Session.TypeAhead.Flush();
     }
 
     /// <summary>Holds the job under way. From any thread; waits for nothing.</summary>

@@ -11,16 +11,16 @@ public sealed class DesktopNotifications : IDisposable
 {
     private readonly CommandSession _session;
     private readonly DerivedModel _derived;
-    private readonly ReleasedMemory _released;
+    private readonly MemoryReclaimer _released;
     private readonly ConcurrentQueue<CommandMessage> _messages = new();
     private int _posted;
 
-    internal DesktopNotifications(CommandSession session, DerivedModel derived, ReleasedMemory released)
+    internal DesktopNotifications(CommandSession session, DerivedModel derived, MemoryReclaimer released)
     {
         (_session, _derived, _released) = (session, derived, released);
         Prompt = session.Prompt;
         derived.Posting += work => _ = PostWhenDoneAsync(work);
-        session.Said += OnSaid;
+        session.MessageWritten += OnSaid;
         session.Document.Changed += (_, _) => Post();
         session.Machine.Changed += (_, _) => Post();
         session.Machine.Alarms.Changed += (_, _) => Post();
@@ -28,7 +28,7 @@ public sealed class DesktopNotifications : IDisposable
         session.Settings.Changed += (_, _) => Post();
         session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
-        session.Walk.Changed += (_, _) => Post();
+        session.SequenceAnimation.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
         session.Derivation.Progress.Changed += (_, _) => Post();
         session.Certificates.Changed += (_, _) => Post();
@@ -60,12 +60,12 @@ public sealed class DesktopNotifications : IDisposable
         Volatile.Write(ref _posted, 0);
         Prompt = _session.Prompt;
         DeliverMessages();
-        _derived.Look();
+        _derived.Refresh();
         RaiseChanged();
-        _released.Look(_derived.Current);
+        _released.OnDerivedChanged(_derived.Current);
     }
 
-    public void Dispose() => _session.Said -= OnSaid;
+    public void Dispose() => _session.MessageWritten -= OnSaid;
 
     /// <summary>Queues a delivery. Any number of calls leaves one delivery in the UI queue.</summary>
     internal void Post()

@@ -14,7 +14,7 @@ internal static class DirectDistance
     /// <returns>The coordinates of the point, or the typed text if it is not a distance. Replaying the journal of a session gives the same point.</returns>
     public static string Read(string typed, Point2D? from, Point2D? cursor)
     {
-        if (from is not { } start || cursor is not { } aimed || aimed == start || !NumberPrompt.TryNumber(typed.Trim(), out var distance)) return typed;
+        if (from is not { } start || cursor is not { } aimed || aimed == start || !NumberPrompt.TryParse(typed.Trim(), out var distance)) return typed;
         var way = aimed - start;
         var place = start + (way * (distance / way.Length));
         return place.IsFinite ? string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}") : typed;

@@ -26,7 +26,7 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     }
 
     /// <summary>The inputs with the machine data added, in drawing units.</summary>
-    public OverlayInputs Over(OverlayInputs inputs)
+    public OverlayInputs ApplyTo(OverlayInputs inputs)
     {
         if (Job is null) return inputs;
         var scale = Job.Drawing.Scale;
@@ -47,7 +47,7 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
 
     /// <summary>The travel of the profile in drawing units; null if an axis has none, or if the work origin is unknown.</summary>
     private Bounds2D? EnvelopeOf(PreparedJob job, DrawingScale scale) => job.Settings.Machine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
-        ? scale.ToDrawing(new Bounds2D(x.Least - zero.X, y.Least - zero.Y, x.Most - zero.X, y.Most - zero.Y))
+        ? scale.ToDrawing(new Bounds2D(x.Min - zero.X, y.Min - zero.Y, x.Max - zero.X, y.Max - zero.Y))
         : null;
 
     /// <summary>Machine position after the last stroke, millimetres of the drawing.</summary>

@@ -18,11 +18,11 @@ internal sealed record PostedLines(PlannedMotion? Motion, Task<IReadOnlyList<str
     public static PostedLines Of(DerivedDocument derived)
     {
         if (derived.Motion is not { } motion) return None;
-        if (derived.IsPosted || motion.SegmentCount <= ShortProgram) return new PostedLines(motion, Task.FromResult<IReadOnlyList<string>>(Cut(derived.Program)));
-        return new PostedLines(motion, Task.Run<IReadOnlyList<string>>(() => Cut(derived.Program)));
+        if (derived.IsPosted || motion.SegmentCount <= ShortProgram) return new PostedLines(motion, Task.FromResult<IReadOnlyList<string>>(SplitLines(derived.Program)));
+        return new PostedLines(motion, Task.Run<IReadOnlyList<string>>(() => SplitLines(derived.Program)));
     }
 
-    private static ChunkLines Cut(PostText? program) => new(program?.Chunks ?? []);
+    private static ChunkLines SplitLines(PostOutput? program) => new(program?.Chunks ?? []);
 }
 
 /// <summary>The lines of consecutive texts, cut on access: four bytes for each line in addition to the texts.</summary>

@@ -7,10 +7,10 @@ namespace Engraver.App.FileDialogs;
 
 /// <summary>The state of the file dialog: a folder with its rows, the name that is being typed, places to go to. Its result is the path of a file, which
 /// answers the command that asks. Work on the file system runs in the background.</summary>
-public sealed class FileDialogModel : Observable
+public sealed class FileDialogModel : ObservableObject
 {
     private readonly DesktopModel _desk;
-    private FileWanted? _wanted;
+    private FileRequest? _wanted;
     private FileRow? _chosen;
     private FileRow? _hovered;
     private FileFilter? _filter;
@@ -26,46 +26,46 @@ public sealed class FileDialogModel : Observable
     {
         _desk = desk;
         Preview = new PreviewModel(desk);
-        Accept = new Act(() => _ = AcceptAsync());
-        Show = new Act(() => Answered?.Invoke(null));
-        Cancel = new Act(() => Left?.Invoke());
-        Up = new Act(GoUp);
-        Go = new Act(place => GoTo((FilePlace)place!));
-        SortBy = new Act(column => Sort((FileColumn)column!));
+        Accept = new RelayCommand(() => _ = AcceptAsync());
+        Show = new RelayCommand(() => Answered?.Invoke(null));
+        Cancel = new RelayCommand(() => Cancelled?.Invoke());
+        Up = new RelayCommand(GoUp);
+        GoToPlace = new RelayCommand(place => GoTo((FilePlace)place!));
+        SortBy = new RelayCommand(column => Sort((FileColumn)column!));
     }
 
     /// <summary>A file was chosen; null: the result is to be shown in the command window.</summary>
     internal event Action<FileChoice?>? Answered;
 
     /// <summary>The dialog was left.</summary>
-    internal event Action? Left;
+    internal event Action? Cancelled;
 
     public PreviewModel Preview { get; }
 
-    public Act Accept { get; }
+    public RelayCommand Accept { get; }
 
     /// <summary>The result is shown in the command window and written nowhere.</summary>
-    public Act Show { get; }
+    public RelayCommand Show { get; }
 
-    public Act Cancel { get; }
+    public RelayCommand Cancel { get; }
 
     /// <summary>To the folder above.</summary>
-    public Act Up { get; }
+    public RelayCommand Up { get; }
 
     /// <summary>To a place, the parameter.</summary>
-    public Act Go { get; }
+    public RelayCommand GoToPlace { get; }
 
     /// <summary>By a column, the parameter.</summary>
-    public Act SortBy { get; }
+    public RelayCommand SortBy { get; }
 
     public bool IsOpen => _wanted is not null;
 
     /// <summary>What the command that asks is called.</summary>
     public string Title { get; private set; } = "";
 
-    public string AcceptWords => Text.Get(_wanted is { Writes: true } ? "Files.Save" : "Files.Open");
+    public string AcceptText => Text.Get(_wanted is { Writes: true } ? "Files.Save" : "Files.Open");
 
-    public bool MayShow => _wanted is { MayShow: true };
+    public bool CanShow => _wanted is { CanDisplayInstead: true };
 
     public IReadOnlyList<FilePlace> Places { get; private set; } = [];
 
@@ -81,8 +81,8 @@ public sealed class FileDialogModel : Observable
         get => _filter;
         set
         {
-            if (value is null || !Set(ref _filter, value)) return;
-            if (IsOpen && _wanted!.Writes && _name.Length > 0 && value.Endings is [var ending, ..]) SetName(FileFilter.WithEnding(_name, ending, Filters), typed: _isTyped);
+            if (value is null || !SetProperty(ref _filter, value)) return;
+            if (IsOpen && _wanted!.Writes && _name.Length > 0 && value.Extensions is [var ending, ..]) SetName(FileFilter.WithExtension(_name, ending, Filters), typed: _isTyped);
             if (IsOpen && _folder.Length > 0) Read(_folder);
         }
     }
@@ -91,7 +91,7 @@ public sealed class FileDialogModel : Observable
     public string Folder
     {
         get => _folder;
-        private set => Set(ref _folder, value);
+        private set => SetProperty(ref _folder, value);
     }
 
     /// <summary>The row under the keys: chosen, or found by what was typed.</summary>
@@ -100,8 +100,8 @@ public sealed class FileDialogModel : Observable
         get => _chosen;
         set
         {
-            if (!Set(ref _chosen, value)) return;
-            LookAtPreview();
+            if (!SetProperty(ref _chosen, value)) return;
+            UpdatePreview();
             if (value is null) return;
             Finding = null;
             _isTyped = false;
@@ -115,10 +115,10 @@ public sealed class FileDialogModel : Observable
         get => _name;
         set
         {
-            if (!Set(ref _name, value ?? "")) return;
+            if (!SetProperty(ref _name, value ?? "")) return;
             _isTyped = true;
             Finding = null;
-            Jump();
+            SelectFirstMatch();
         }
     }
 
@@ -129,16 +129,16 @@ public sealed class FileDialogModel : Observable
     public string? Finding
     {
         get => _finding;
-        private set => Set(ref _finding, value);
+        private set => SetProperty(ref _finding, value);
     }
 
     public bool IsEmpty => Rows.Count == 0 && _stopReading is null && _finding is null;
 
-    public string NameHead => HeadOf(FileColumn.Name);
+    public string NameHeader => HeaderOf(FileColumn.Name);
 
-    public string ChangedHead => HeadOf(FileColumn.Changed);
+    public string ChangedHeader => HeaderOf(FileColumn.Changed);
 
-    public string BytesHead => HeadOf(FileColumn.Bytes);
+    public string BytesHeader => HeaderOf(FileColumn.Bytes);
 
     /// <summary>A folder is being read, or a name looked for.</summary>
     internal bool IsWorking => _working > 0;
@@ -146,18 +146,18 @@ public sealed class FileDialogModel : Observable
     /// <summary>Shows the dialog.</summary>
     /// <param name="title">What the command that asks is called.</param>
     /// <param name="typed">What was typed already; empty for nothing.</param>
-    internal void Open(FileWanted wanted, string title, string typed)
+    internal void Open(FileRequest wanted, string title, string typed)
     {
         (_wanted, Title, _finding, _chosen, _hovered, _isTyped) = (wanted, title, null, null, null, typed.Length > 0);
         (Filters, _filter) = (FileFilter.For(wanted), null);
-        Tell(nameof(Filter));
-        Tell(nameof(Filters)); // a list that shows its new entries before one of them is chosen; it forgets the choice when it gets others
+        OnPropertyChanged(nameof(Filter));
+        OnPropertyChanged(nameof(Filters)); // a list that shows its new entries before one of them is chosen; it forgets the choice when it gets others
         var ending = wanted.Suggested is { } suggested ? Path.GetExtension(suggested) : null;
-        _filter = Filters.FirstOrDefault(filter => ending is not null && filter.Endings.Contains(ending)) ?? Filters[0];
+        _filter = Filters.FirstOrDefault(filter => ending is not null && filter.Extensions.Contains(ending)) ?? Filters[0];
         _name = typed.Length > 0 ? typed : wanted is { Writes: true, Suggested: { } offered } ? Path.GetFileName(offered) : "";
         (Rows, Places, Crumbs, _folder) = ([], [], [], ""); // a name alone has no place until the first folder is there
-        Tell(null);
-        _ = BeginAsync(wanted);
+        OnPropertyChanged(null);
+        _ = StartAsync(wanted);
         _ = FindPlacesAsync(wanted);
     }
 
@@ -169,17 +169,17 @@ public sealed class FileDialogModel : Observable
         StopReading();
         Preview.Show(null);
         (Rows, _chosen, _hovered) = ([], null, null);
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
     /// <summary>Says in the dialog what stands in the way.</summary>
-    internal void Say(string sentence) => Finding = sentence;
+    internal void ShowFinding(string sentence) => Finding = sentence;
 
     /// <summary>The row under the mouse is shown in the preview, as long as it is there.</summary>
     internal void Hover(FileRow? row)
     {
         _hovered = row;
-        LookAtPreview();
+        UpdatePreview();
     }
 
     /// <summary>Moves the choice in the list.</summary>
@@ -192,29 +192,29 @@ public sealed class FileDialogModel : Observable
         Chosen = Rows[next];
     }
 
-    private string HeadOf(FileColumn column) => Text.Get("FileColumn." + column) + (column != _order.Column ? "" : _order.IsDescending ? " ↓" : " ↑");
+    private string HeaderOf(FileColumn column) => Text.Get("FileColumn." + column) + (column != _order.Column ? "" : _order.IsDescending ? " ↓" : " ↑");
 
-    private void LookAtPreview() => Preview.Show(_hovered ?? _chosen);
+    private void UpdatePreview() => Preview.Show(_hovered ?? _chosen);
 
     private void SetName(string name, bool typed)
     {
-        Set(ref _name, name, nameof(Name));
+        SetProperty(ref _name, name, nameof(Name));
         _isTyped = typed;
     }
 
     /// <summary>The first row that begins as what is typed.</summary>
-    private void Jump()
+    private void SelectFirstMatch()
     {
-        var begun = TypedFileName.Read(_name);
+        var begun = TypedFileName.Parse(_name);
         _chosen = begun.Length == 0 ? null : Rows.FirstOrDefault(row => row.Name.StartsWith(begun, StringComparison.OrdinalIgnoreCase));
-        Tell(nameof(Chosen));
-        LookAtPreview();
+        OnPropertyChanged(nameof(Chosen));
+        UpdatePreview();
     }
 
     /// <summary>A file or folder that was dropped on the dialog.</summary>
     internal void TakeDropped(string path)
     {
-        SetName(TypedFileName.Write(path), typed: true);
+        SetName(TypedFileName.Format(path), typed: true);
         _ = AcceptAsync();
     }
 
@@ -230,17 +230,17 @@ public sealed class FileDialogModel : Observable
 
         if (_name.Trim().Length == 0)
         {
-            if (wanted.MayShow) Answered?.Invoke(null);
+            if (wanted.CanDisplayInstead) Answered?.Invoke(null);
             else Finding = Text.Get("Files.NameMissing");
             return;
         }
 
-        var (typed, shown, working, ending, jumped) = (_name, _folder, _desk.Session.Folder, _filter is { Endings: [var first, ..] } ? first : null, _chosen);
+        var (typed, shown, working, ending, jumped) = (_name, _folder, _desk.Session.Folder, _filter is { Extensions: [var first, ..] } ? first : null, _chosen);
         var target = await WorkAsync(() => FileTarget.Find(typed, shown, working, wanted, ending, jumped));
         if (!ReferenceEquals(wanted, _wanted)) return;
         if (target is FileTarget.Folder into) Enter(into.Path);
-        else if (target is FileTarget.Nothing nothing) Finding = nothing.Sentence;
-        else if (target is FileTarget.Chosen file) Answered?.Invoke(new FileChoice(wanted, file.Path, file.Exists));
+        else if (target is FileTarget.NotFound nothing) Finding = nothing.Sentence;
+        else if (target is FileTarget.TargetFile file) Answered?.Invoke(new FileChoice(wanted, file.Path, file.Exists));
     }
 
     /// <summary>Goes into a folder whose name was typed: it is no name of a file.</summary>
@@ -265,7 +265,7 @@ public sealed class FileDialogModel : Observable
     {
         _order = _order.Clicked(column);
         Rows = _order.Sort(Rows);
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
     private void Read(string folder, string? choose = null)
@@ -287,8 +287,8 @@ public sealed class FileDialogModel : Observable
         _stopReading = stopReading;
         try
         {
-            var (endings, stop) = (_filter?.Endings ?? [], reading.Token);
-            Tell(nameof(IsEmpty));
+            var (endings, stop) = (_filter?.Extensions ?? [], reading.Token);
+            OnPropertyChanged(nameof(IsEmpty));
             var listing = await WorkAsync(() => FolderListing.Read(folder, endings, stop));
             if (_stopReading == stopReading) TakeListing(folder, listing, choose);
         }
@@ -310,25 +310,25 @@ public sealed class FileDialogModel : Observable
         if (listing is { Finding: not null, Rows.Count: 0 } && _folder.Length > 0 && Rows.Count > 0) return;
         Folder = folder;
         (Rows, Crumbs, _chosen) = (_order.Sort(listing.Rows), CrumbsOf(folder), null);
-        Tell(null);
-        if (_isTyped) Jump();
+        OnPropertyChanged(null);
+        if (_isTyped) SelectFirstMatch();
         else if (choose is not null && Rows.FirstOrDefault(row => row.Path == choose) is { } row) Chosen = row;
         else if (!_wanted!.Writes) SetName("", typed: false);
     }
 
-    private async Task BeginAsync(FileWanted wanted)
+    private async Task StartAsync(FileRequest wanted)
     {
         var folder = await WorkAsync(() => FileStart.FolderFor(wanted, _desk.Session));
         if (ReferenceEquals(wanted, _wanted) && _stopReading is null) Read(folder);
     }
 
-    private async Task FindPlacesAsync(FileWanted wanted)
+    private async Task FindPlacesAsync(FileRequest wanted)
     {
         var (drawing, recent) = (_desk.Session.Document.FilePath, _desk.Session.Settings.Current.RecentFiles);
-        var places = await WorkAsync(() => FilePlaces.Find(drawing, recent, file => !wanted.Writes && wanted.Fits(file)));
+        var places = await WorkAsync(() => FilePlaces.Find(drawing, recent, file => !wanted.Writes && wanted.Matches(file)));
         if (!ReferenceEquals(wanted, _wanted)) return;
         Places = places;
-        Tell(nameof(Places));
+        OnPropertyChanged(nameof(Places));
     }
 
     private async Task<T> WorkAsync<T>(Func<T> work)
@@ -356,4 +356,4 @@ public sealed class FileDialogModel : Observable
 /// <summary>What was chosen in the dialog.</summary>
 /// <param name="Path">Full path.</param>
 /// <param name="Exists">The file is there already.</param>
-internal sealed record FileChoice(FileWanted Wanted, string Path, bool Exists);
+internal sealed record FileChoice(FileRequest Wanted, string Path, bool Exists);

@@ -27,7 +27,7 @@ public partial class FileDialogView : UserControl
     public void Type(string text)
     {
         Model.Name = Model.IsTyped ? Model.Name + text : text;
-        TakeKeyboard();
+        TakeFocus();
         NameBox.CaretIndex = Model.Name.Length;
     }
 
@@ -49,7 +49,7 @@ public partial class FileDialogView : UserControl
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(Begin, DispatcherPriority.Loaded);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(OnOpened, DispatcherPriority.Loaded);
     }
 
     private bool Move(Key key)
@@ -57,21 +57,21 @@ public partial class FileDialogView : UserControl
         var rows = key switch { Key.Up => -1, Key.Down => 1, Key.PageUp => -Page, Key.PageDown => Page, _ => 0 };
         if (rows == 0) return false;
         Model.Move(rows);
-        TakeKeyboard();
+        TakeFocus();
         return true;
     }
 
     /// <summary>Backspace deletes typed text; without any, it goes to the parent folder.</summary>
     private bool GoesUp(object? source) => source is not TextBox || Model.Name.Length == 0 || (!Model.IsTyped && Model.Chosen is not null);
 
-    private void Begin()
+    private void OnOpened()
     {
-        TakeKeyboard();
+        TakeFocus();
         if (Model.IsTyped) NameBox.CaretIndex = Model.Name.Length;
         else NameBox.SelectAll();
     }
 
-    private void TakeKeyboard() => NameBox.Focus();
+    private void TakeFocus() => NameBox.Focus();
 
     private void ShowChoice()
     {
@@ -82,8 +82,8 @@ public partial class FileDialogView : UserControl
 
     private void OnPlace(object? sender, RoutedEventArgs e)
     {
-        Model.Go.Execute(((Control)sender!).Tag);
-        TakeKeyboard();
+        Model.GoToPlace.Execute(((Control)sender!).Tag);
+        TakeFocus();
     }
 
     private void OnDoubleTapped(object? sender, TappedEventArgs e)

@@ -27,11 +27,11 @@ internal sealed class FileDrop
 
     private static bool IsScript(string path) => path.EndsWith(".scr", StringComparison.OrdinalIgnoreCase);
 
-    private bool Takes(string path) => _files.Dialog.IsOpen || IsDrawing(path) || IsScript(path);
+    private bool Accepts(string path) => _files.Dialog.IsOpen || IsDrawing(path) || IsScript(path);
 
     private void OnOver(object? sender, DragEventArgs e)
     {
-        e.DragEffects = !_files.Question.IsOpen && PathsOf(e).Any(Takes) ? DragDropEffects.Copy : DragDropEffects.None;
+        e.DragEffects = !_files.Question.IsOpen && PathsOf(e).Any(Accepts) ? DragDropEffects.Copy : DragDropEffects.None;
         e.Handled = true;
     }
 
@@ -39,12 +39,12 @@ internal sealed class FileDrop
     {
         OnOver(sender, e);
         if (e.DragEffects == DragDropEffects.None) return;
-        var paths = PathsOf(e).Where(Takes).ToList();
+        var paths = PathsOf(e).Where(Accepts).ToList();
         if (_files.Dialog.IsOpen) _files.Dialog.TakeDropped(paths[0]);
-        else Take(paths);
+        else OpenDropped(paths);
     }
 
-    private void Take(List<string> paths)
+    private void OpenDropped(List<string> paths)
     {
         var path = paths.FirstOrDefault(IsDrawing) ?? paths[0];
         if (_desk.Queue.IsBusy)

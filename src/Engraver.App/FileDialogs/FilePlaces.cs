@@ -3,20 +3,11 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>A place of the dialog: a folder, or a recent file.</summary>
-/// <param name="Path">Full path.</param>
-public sealed record FilePlace(string Name, string Path, bool IsFile)
-{
-    public bool IsFolder => !IsFile;
-
-    public string Tip => TextCatalogue.Fact(Path);
-}
-
 /// <summary>The places at the left of the dialog. Each folder is listed once.</summary>
 internal static class FilePlaces
 {
-    private const int MostRecentFolders = 5;
-    private const int MostRecentFiles = 5;
+    private const int MaxRecentFolders = 5;
+    private const int MaxRecentFiles = 5;
 
     /// <summary>For a thread of the pool: checking that a folder exists may take a while.</summary>
     /// <param name="drawing">Path of the open drawing; null for none.</param>
@@ -31,8 +22,8 @@ internal static class FilePlaces
         Add(Text.Get("Files.DrawingFolder"), drawing is null ? null : Path.GetDirectoryName(Path.GetFullPath(drawing)));
         Add(Text.Get("Files.Samples"), SampleFolder.Find());
         foreach (var drive in Drives()) Add(NameOf(drive), drive);
-        foreach (var folder in recent.Select(Path.GetDirectoryName).Distinct().Take(MostRecentFolders)) Add(NameOf(folder!), folder);
-        places.AddRange(recent.Where(file => fits(file) && File.Exists(file)).Take(MostRecentFiles).Select(file => new FilePlace(TextCatalogue.Fact(Path.GetFileName(file)), file, true)));
+        foreach (var folder in recent.Select(Path.GetDirectoryName).Distinct().Take(MaxRecentFolders)) Add(NameOf(folder!), folder);
+        places.AddRange(recent.Where(file => fits(file) && File.Exists(file)).Take(MaxRecentFiles).Select(file => new FilePlace(TextCatalogue.Fact(Path.GetFileName(file)), file, true)));
         return places;
 
         void Add(string name, string? folder)
@@ -48,7 +39,7 @@ internal static class FilePlaces
     {
         try
         {
-            return DriveInfo.GetDrives().Select(drive => drive.Name).Where(IsForPeople).Distinct().Order(StringComparer.Ordinal);
+            return DriveInfo.GetDrives().Select(drive => drive.Name).Where(IsUserDrive).Distinct().Order(StringComparer.Ordinal);
         }
         catch (Exception unknown) when (unknown is IOException or UnauthorizedAccessException)
         {
@@ -56,26 +47,7 @@ internal static class FilePlaces
         }
     }
 
-    private static bool IsForPeople(string drive) => OperatingSystem.IsWindows() || drive == "/" || ((string[])["/media/", "/mnt/", "/run/media/", "/Volumes/"]).Any(under => drive.StartsWith(under, StringComparison.Ordinal));
+    private static bool IsUserDrive(string drive) => OperatingSystem.IsWindows() || drive == "/" || ((string[])["/media/", "/mnt/", "/run/media/", "/Volumes/"]).Any(under => drive.StartsWith(under, StringComparison.Ordinal));
 
     private static string NameOf(string folder) => folder == "/" ? Text.Get("Files.Computer") : Path.GetFileName(Path.TrimEndingDirectorySeparator(folder)) is { Length: > 0 } name ? TextCatalogue.Fact(name) : folder;
-}
-
-/// <summary>The sample drawings that come with the program.</summary>
-internal static class SampleFolder
-{
-    private const int FarthestAbove = 8;
-
-    /// <summary>The folder <c>samples</c> beside the program or above it; null if it is not installed.</summary>
-    public static string? Find()
-    {
-        var at = new DirectoryInfo(AppContext.BaseDirectory);
-        for (var up = 0; up <= FarthestAbove && at is not null; up++, at = at.Parent)
-        {
-            var folder = Path.Combine(at.FullName, "samples");
-            if (File.Exists(Path.Combine(folder, "gasket.dxf"))) return folder;
-        }
-
-        return null;
-    }
 }

@@ -22,16 +22,16 @@ namespace Engraver.App.FileDialogs;
 internal sealed record FilePreview(Picture? Picture, string Lines, string Caption)
 {
     /// <summary>Maximum length of a file that is read for a preview.</summary>
-    public const long MostBytes = 32_000_000;
+    public const long MaxBytes = 32_000_000;
 
-    private const int MostLines = 40;
-    private const int MostLetters = 3000;
+    private const int MaxLines = 40;
+    private const int MaxCharacters = 3000;
 
     /// <summary>Reads and draws a file on this thread; for a thread of the pool.</summary>
     /// <exception cref="OperationCanceledException">It took too long, or another file was selected.</exception>
     public static FilePreview Create(FileRow file, DrawingSettings settings, CanvasTheme theme, PixelSize size, CancellationToken stop)
     {
-        if (file.Bytes > MostBytes) return new FilePreview(null, "", Text.Get("Files.PreviewTooLarge", file.Size));
+        if (file.Bytes > MaxBytes) return new FilePreview(null, "", Text.Get("Files.PreviewTooLarge", file.Size));
         if (FileKind.IsStream(file.Path)) return new FilePreview(null, "", "");
         try
         {
@@ -59,9 +59,9 @@ internal sealed record FilePreview(Picture? Picture, string Lines, string Captio
     private static FilePreview OfText(string path)
     {
         using var reader = new StreamReader(path, Encoding.UTF8);
-        var letters = new char[MostLetters];
+        var letters = new char[MaxCharacters];
         var text = new string(letters, 0, reader.ReadBlock(letters, 0, letters.Length));
         if (text.Contains('\0', StringComparison.Ordinal)) return new FilePreview(null, "", "");
-        return new FilePreview(null, string.Join('\n', text.ReplaceLineEndings("\n").Split('\n').Take(MostLines)), "");
+        return new FilePreview(null, string.Join('\n', text.ReplaceLineEndings("\n").Split('\n').Take(MaxLines)), "");
     }
 }

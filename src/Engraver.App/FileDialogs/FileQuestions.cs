@@ -9,12 +9,12 @@ namespace Engraver.App.FileDialogs;
 
 /// <summary>Shows the file dialog when a command requests a file and the system variable FILEDIA is not 0, whether the command was clicked or typed;
 /// scripts and pasted lines give their own answers. Asks before a file is replaced and before edits are lost, also when the window closes.</summary>
-public sealed class FileQuestions : Observable
+public sealed class FileQuestions : ObservableObject
 {
     private readonly DesktopModel _desk;
     private readonly Func<string> _typed;
-    private FileWanted? _asked;
-    private bool _isLooking;
+    private FileRequest? _asked;
+    private bool _isRefreshPending;
 
     /// <param name="typed">Takes the text typed at the command line after the command: it is the start of the file name.</param>
     public FileQuestions(DesktopModel desk, Func<string> typed)
@@ -22,8 +22,8 @@ public sealed class FileQuestions : Observable
         (_desk, _typed) = (desk, typed);
         Dialog = new FileDialogModel(desk);
         Dialog.Answered += choice => _ = AnswerAsync(choice);
-        Dialog.Left += Abandon;
-        desk.Notifications.Changed += LookSoon;
+        Dialog.Cancelled += CancelDialog;
+        desk.Notifications.Changed += RefreshSoon;
     }
 
     /// <summary>Raised when the requested operation failed; the command window shows the reason.</summary>
@@ -34,67 +34,67 @@ public sealed class FileQuestions : Observable
     public QuestionModel Question { get; } = new();
 
     /// <summary>True if the system variable FILEDIA is not 0.</summary>
-    public bool WantsDialogs => _desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
+    public bool UsesDialogs => _desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
 
     /// <summary>No background work is pending, and the dialog matches the prompt.</summary>
-    internal bool IsAtRest => !_isLooking && !Dialog.IsWorking;
+    internal bool IsIdle => !_isRefreshPending && !Dialog.IsWorking;
 
     /// <summary>Opens a drawing that was dropped, or chosen from a list, after asking about edits of the open one.</summary>
     public async Task OpenAsync(string path)
     {
-        if (!await MayLoseEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
-        Remember(FileWanted.Drawing, path);
-        await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
+        if (!await ConfirmDiscardEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
+        Remember(FileRequest.Drawing, path);
+        await ReportRefusalAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Format(path)));
     }
 
     /// <summary>Asks about edits before the window closes. Replaces a question that is already open.</summary>
     /// <returns>False if the window stays open: the operator chose so, or the edits could not be saved.</returns>
-    public Task<bool> MayCloseAsync() => MayLoseEditsAsync("Files.EditedClose", "Files.DoNotSave");
+    public Task<bool> ConfirmCloseAsync() => ConfirmDiscardEditsAsync("Files.EditedClose", "Files.DoNotSave");
 
     /// <summary>Runs a script that was dropped.</summary>
-    public Task RunScriptAsync(string path) => TellAsync(_desk.Queue.RunAsync("SCRIPT", TypedFileName.Write(path)));
+    public Task RunScriptAsync(string path) => ReportRefusalAsync(_desk.Queue.RunAsync("SCRIPT", TypedFileName.Format(path)));
 
-    private async Task TellAsync(Task<InputResult> work)
+    private async Task ReportRefusalAsync(Task<InputResult> work)
     {
-        if (await work is InputResult.Failed or InputResult.NotUnderstood) Refused?.Invoke();
+        if (await work is InputResult.Failed or InputResult.NotAccepted) Refused?.Invoke();
     }
 
     /// <summary>Updates after the current input is done: a prompt that is answered by the next input of a script does not open a dialog.</summary>
-    private void LookSoon()
+    private void RefreshSoon()
     {
-        if (_isLooking) return;
-        _isLooking = true;
-        Dispatcher.UIThread.Post(Look, DispatcherPriority.Input);
+        if (_isRefreshPending) return;
+        _isRefreshPending = true;
+        Dispatcher.UIThread.Post(Refresh, DispatcherPriority.Input);
     }
 
-    private void Look()
+    private void Refresh()
     {
-        _isLooking = false;
-        var wanted = _desk.Prompt.File;
-        if (_asked is not null && !ReferenceEquals(wanted, _asked)) Leave();
-        if (wanted is null || _asked is not null || !WantsDialogs || _desk.Queue.IsBusy || !_desk.Queue.Idle.IsCompleted) return;
+        _isRefreshPending = false;
+        var wanted = _desk.Prompt.FileRequest;
+        if (_asked is not null && !ReferenceEquals(wanted, _asked)) CloseDialog();
+        if (wanted is null || _asked is not null || !UsesDialogs || _desk.Queue.IsBusy || !_desk.Queue.Idle.IsCompleted) return;
         _asked = wanted;
         Dialog.Open(wanted, Text.Find("Command." + _desk.Prompt.Command) ?? _desk.Prompt.Command!, _typed());
     }
 
-    private void Leave()
+    private void CloseDialog()
     {
         _asked = null;
         Dialog.Close();
-        Question.Leave();
+        Question.Cancel();
     }
 
-    private void Abandon()
+    private void CancelDialog()
     {
         Dialog.Close();
         _ = _desk.Queue.CancelAsync();
     }
 
     /// <summary>Answers the command. The dialog closes immediately: what is typed from now on goes to the command line.</summary>
-    private Task AnswerNowAsync(FileWanted wanted, string? path)
+    private Task AnswerNowAsync(FileRequest wanted, string? path)
     {
         Dialog.Close();
-        return TellAsync(_desk.Queue.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
+        return ReportRefusalAsync(_desk.Queue.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
     }
 
     /// <summary>The path as it would be typed: a file in the working folder by its name alone, so that a journal of inputs also runs in another
@@ -115,8 +115,8 @@ public sealed class FileQuestions : Observable
             return;
         }
 
-        if (wanted.Writes && choice.Exists && !await MayReplaceAsync(choice.Path)) return;
-        if (wanted is { Kind: FileWanted.Drawing, Writes: false })
+        if (wanted.Writes && choice.Exists && !await ConfirmReplaceAsync(choice.Path)) return;
+        if (wanted is { Kind: FileRequest.Drawing, Writes: false })
         {
             if (await AskAboutEditsAsync("Files.Edited", "Files.OpenAnyway") is not { } saves || !ReferenceEquals(_asked, wanted)) return;
             Remember(wanted.Kind, choice.Path);
@@ -133,13 +133,13 @@ public sealed class FileQuestions : Observable
     /// <summary>The dialog starts in the folder that was used last.</summary>
     private void Remember(string kind, string path) => _desk.Session.Settings.Change(settings => settings.WithFileFolder(kind, Path.GetDirectoryName(Path.GetFullPath(path))!));
 
-    private async Task<bool> MayReplaceAsync(string path) =>
+    private async Task<bool> ConfirmReplaceAsync(string path) =>
         await Question.AskAsync(Text.Get("Files.Replace", Path.GetFileName(path), Path.GetDirectoryName(path)), "Files.No", "Files.Yes") == "Files.Yes";
 
     private async Task SaveAndOpenAsync(string path)
     {
         Dialog.Close();
-        if (await SaveAsync()) await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
+        if (await SaveAsync()) await ReportRefusalAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Format(path)));
         else Refused?.Invoke();
     }
 
@@ -148,7 +148,7 @@ public sealed class FileQuestions : Observable
     private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.Queue.RunAsync("QSAVE", "Yes") : await _desk.Queue.RunAsync("QSAVE")) is InputResult.Done;
 
     /// <returns>False if the operator keeps the drawing open, or if it could not be saved.</returns>
-    private async Task<bool> MayLoseEditsAsync(string question, string without)
+    private async Task<bool> ConfirmDiscardEditsAsync(string question, string without)
     {
         if (await AskAboutEditsAsync(question, without) is not { } saves) return false;
         if (!saves || await SaveAsync()) return true;

@@ -14,10 +14,10 @@ internal abstract record FileTarget
     public sealed record Folder(string Path) : FileTarget;
 
     /// <param name="Exists">The file exists.</param>
-    public sealed record Chosen(string Path, bool Exists) : FileTarget;
+    public sealed record TargetFile(string Path, bool Exists) : FileTarget;
 
     /// <param name="Sentence">Why there is no result.</param>
-    public sealed record Nothing(string Sentence) : FileTarget;
+    public sealed record NotFound(string Sentence) : FileTarget;
 
     /// <summary>Resolves the name; for a thread of the pool.</summary>
     /// <param name="typed">A name, a path relative to the shown folder or the working folder, or a full path; quotes and <c>~</c> as at a prompt.</param>
@@ -25,32 +25,32 @@ internal abstract record FileTarget
     /// <param name="working">The working folder of the commands.</param>
     /// <param name="ending">Of the selected filter; null if it has none.</param>
     /// <param name="jumped">The row that matches the typed letters; null for none.</param>
-    public static FileTarget Find(string typed, string shown, string working, FileWanted wanted, string? ending, FileRow? jumped)
+    public static FileTarget Find(string typed, string shown, string working, FileRequest wanted, string? ending, FileRow? jumped)
     {
-        var name = TypedFileName.Read(typed);
-        if (name.Contains('\0', StringComparison.Ordinal)) return new Nothing(Text.Get("Files.NameInvalid", name.Replace('\0', '?')));
+        var name = TypedFileName.Parse(typed);
+        if (name.Contains('\0', StringComparison.Ordinal)) return new NotFound(Text.Get("Files.NameInvalid", name.Replace('\0', '?')));
         return wanted.Writes ? ToWrite(name, shown, wanted, ending) : ToRead(name, [shown, working], wanted, jumped);
     }
 
-    private static FileTarget ToWrite(string name, string shown, FileWanted wanted, string? ending)
+    private static FileTarget ToWrite(string name, string shown, FileRequest wanted, string? ending)
     {
         var path = Path.GetFullPath(Path.Combine(shown, name));
         if (Directory.Exists(path)) return new Folder(path);
-        if (Path.GetDirectoryName(path) is not { } parent || Path.EndsInDirectorySeparator(name)) return new Nothing(Text.Get("Files.FolderNotFound", path));
-        if (!Directory.Exists(parent)) return new Nothing(Text.Get("Files.FolderNotFound", parent));
-        path = (ending is null ? wanted : wanted with { Endings = [ending, .. wanted.Endings] }).WithEnding(path);
-        return Directory.Exists(path) ? new Folder(path) : new Chosen(path, File.Exists(path));
+        if (Path.GetDirectoryName(path) is not { } parent || Path.EndsInDirectorySeparator(name)) return new NotFound(Text.Get("Files.FolderNotFound", path));
+        if (!Directory.Exists(parent)) return new NotFound(Text.Get("Files.FolderNotFound", parent));
+        path = (ending is null ? wanted : wanted with { Extensions = [ending, .. wanted.Extensions] }).WithExtension(path);
+        return Directory.Exists(path) ? new Folder(path) : new TargetFile(path, File.Exists(path));
     }
 
-    private static FileTarget ToRead(string name, IEnumerable<string> folders, FileWanted wanted, FileRow? jumped)
+    private static FileTarget ToRead(string name, IEnumerable<string> folders, FileRequest wanted, FileRow? jumped)
     {
         foreach (var path in folders.Select(folder => Path.GetFullPath(Path.Combine(folder, name))).Distinct())
         {
             if (Directory.Exists(path)) return new Folder(path);
-            if (((string[])[path, .. wanted.Endings.Select(ending => path + ending)]).FirstOrDefault(File.Exists) is { } file) return new Chosen(file, true);
+            if (((string[])[path, .. wanted.Extensions.Select(ending => path + ending)]).FirstOrDefault(File.Exists) is { } file) return new TargetFile(file, true);
         }
 
-        if (jumped is not null) return jumped.IsFolder ? new Folder(jumped.Path) : new Chosen(jumped.Path, true);
-        return new Nothing(Text.Get("Files.NotFound", name));
+        if (jumped is not null) return jumped.IsFolder ? new Folder(jumped.Path) : new TargetFile(jumped.Path, true);
+        return new NotFound(Text.Get("Files.NotFound", name));
     }
 }

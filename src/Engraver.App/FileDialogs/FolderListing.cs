@@ -9,7 +9,7 @@ namespace Engraver.App.FileDialogs;
 internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Finding)
 {
     /// <summary>Maximum number of rows.</summary>
-    private const int MostRows = 20_000;
+    private const int MaxRows = 20_000;
 
     private static readonly EnumerationOptions s_visible = new() { IgnoreInaccessible = false, AttributesToSkip = FileAttributes.Hidden };
 
@@ -24,7 +24,7 @@ internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Findin
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new FolderListing([], Text.Get("Files.FolderUnreadable", folder, SystemReason.Of(unreadable)));
+            return new FolderListing([], Text.Get("Files.FolderUnreadable", folder, SystemErrorText.FromException(unreadable)));
         }
     }
 
@@ -34,7 +34,7 @@ internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Findin
         foreach (var item in folder.EnumerateFileSystemInfos("*", s_visible))
         {
             cancellation.ThrowIfCancellationRequested();
-            if (rows.Count == MostRows) return new FolderListing(rows, Text.Get("Files.TooMany", MostRows));
+            if (rows.Count == MaxRows) return new FolderListing(rows, Text.Get("Files.TooMany", MaxRows));
             if (RowOf(item, endings) is { } row) rows.Add(row);
         }
 

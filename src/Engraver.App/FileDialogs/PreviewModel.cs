@@ -13,18 +13,18 @@ namespace Engraver.App.FileDialogs;
 
 /// <summary>The preview beside the list. It is created in the background when the selection has been unchanged for a moment, within a time limit, and
 /// cancelled when the selection changes.</summary>
-public sealed class PreviewModel(DesktopModel desk) : Observable
+public sealed class PreviewModel(DesktopModel desk) : ObservableObject
 {
     /// <summary>Delay, so that moving quickly through a list does not preview every file.</summary>
-    internal static readonly TimeSpan Rest = TimeSpan.FromMilliseconds(120);
+    internal static readonly TimeSpan Delay = TimeSpan.FromMilliseconds(120);
 
-    internal static readonly TimeSpan Longest = TimeSpan.FromSeconds(3);
+    internal static readonly TimeSpan Timeout = TimeSpan.FromSeconds(3);
 
     /// <summary>Pixels of a picture; it is shown at this size or smaller.</summary>
     private static readonly PixelSize s_size = new(400, 300);
 
     private Action? _stopMaking;
-    private FileRow? _of;
+    private FileRow? _file;
 
     /// <summary>The picture of the drawing; null while there is none.</summary>
     public Bitmap? Picture { get; private set; }
@@ -35,16 +35,16 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
     public string Caption { get; private set; } = "";
 
     /// <summary>Reads and draws a file until it is cancelled.</summary>
-    internal Func<FileRow, DrawingSettings, CanvasTheme, PixelSize, CancellationToken, FilePreview> Maker { get; set; } = FilePreview.Create;
+    internal Func<FileRow, DrawingSettings, CanvasTheme, PixelSize, CancellationToken, FilePreview> PreviewFactory { get; set; } = FilePreview.Create;
 
     /// <param name="file">Null, or a folder: no preview.</param>
     public void Show(FileRow? file)
     {
-        if (file == _of) return;
-        _of = file;
+        if (file == _file) return;
+        _file = file;
         _stopMaking?.Invoke();
         _stopMaking = null;
-        Take(null, "", "");
+        Apply(null, "", "");
         if (file is { IsFolder: false }) _ = MakeAsync(file);
     }
 
@@ -55,13 +55,13 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
         _stopMaking = stopMaking;
         try
         {
-            await Task.Delay(Rest, desk.Time, making.Token);
+            await Task.Delay(Delay, desk.Time, making.Token);
             var preview = await CreateAsync(file, making.Token);
-            if (_stopMaking == stopMaking) Take(preview.Picture is { } picture ? BitmapOf(picture) : null, preview.Lines, preview.Caption);
+            if (_stopMaking == stopMaking) Apply(preview.Picture is { } picture ? BitmapOf(picture) : null, preview.Lines, preview.Caption);
         }
         catch (OperationCanceledException)
         {
-            if (_stopMaking == stopMaking) Take(null, "", Text.Get("Files.PreviewTooSlow")); // otherwise another file was selected
+            if (_stopMaking == stopMaking) Apply(null, "", Text.Get("Files.PreviewTooSlow")); // otherwise another file was selected
         }
         finally
         {
@@ -73,17 +73,17 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
     {
         var theme = CanvasTheme.Of(desk.Session.View.Current.Theme);
         var settings = desk.Session.Document.Current.Settings;
-        using var limit = new CancellationTokenSource(Longest, desk.Time);
+        using var limit = new CancellationTokenSource(Timeout, desk.Time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, movedOn);
         var stop = either.Token;
-        return await Task.Run(() => Maker(file, settings, theme, s_size, stop), stop).WaitAsync(stop); // reading from a drive that does not respond ignores the cancellation
+        return await Task.Run(() => PreviewFactory(file, settings, theme, s_size, stop), stop).WaitAsync(stop); // reading from a drive that does not respond ignores the cancellation
     }
 
-    private void Take(Bitmap? picture, string lines, string caption)
+    private void Apply(Bitmap? picture, string lines, string caption)
     {
         var before = Picture;
         (Picture, Lines, Caption) = (picture, lines, caption);
-        Tell(null);
+        OnPropertyChanged(null);
         before?.Dispose();
     }
 

@@ -14,7 +14,7 @@ public partial class QuestionView : UserControl
         InitializeComponent();
         AnswerList.GotFocus += (_, e) =>
         {
-            if (e.Source is Button { DataContext: QuestionAnswer answer }) Model.Mean(answer);
+            if (e.Source is Button { DataContext: QuestionAnswer answer }) Model.Highlight(answer);
         };
     }
 
@@ -24,8 +24,8 @@ public partial class QuestionView : UserControl
     /// <returns>True if the key was handled.</returns>
     public bool Press(KeyEventArgs e)
     {
-        if (e.Key == Key.Escape) Model.Leave();
-        else if (e.Key == Key.Enter) Model.Take();
+        if (e.Key == Key.Escape) Model.Cancel();
+        else if (e.Key == Key.Enter) Model.Accept();
         else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question must not receive it
         return true;
     }
@@ -34,16 +34,16 @@ public partial class QuestionView : UserControl
     public void Type(string letters)
     {
         Model.Type(letters);
-        FocusMeant();
+        FocusHighlighted();
     }
 
-    private void FocusMeant() => AnswerList.ContainerFromItem(Model.Answers.First(answer => answer.IsMeant))?.GetVisualDescendants().OfType<Button>().FirstOrDefault()?.Focus();
+    private void FocusHighlighted() => AnswerList.ContainerFromItem(Model.Answers.First(answer => answer.IsHighlighted))?.GetVisualDescendants().OfType<Button>().FirstOrDefault()?.Focus();
 
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(FocusMeant, DispatcherPriority.Loaded);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(FocusHighlighted, DispatcherPriority.Loaded);
     }
 
     private static bool Edits(Key key) => key is Key.Back or Key.Delete or Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End;

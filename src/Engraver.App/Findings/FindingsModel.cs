@@ -6,7 +6,7 @@ using Engraver.Core.Diagnostics;
 namespace Engraver.App.Findings;
 
 /// <summary>The findings of CHECK, most severe first; a click shows the position.</summary>
-public sealed class FindingsModel : Observable
+public sealed class FindingsModel : ObservableObject
 {
     private readonly DesktopModel _desk;
     private IReadOnlyList<Diagnostic>? _shown;
@@ -15,8 +15,8 @@ public sealed class FindingsModel : Observable
     public FindingsModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Notifications.Changed += Look;
-        Look();
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
     public IReadOnlyList<FindingRow> Rows { get; private set; } = [];
@@ -29,20 +29,20 @@ public sealed class FindingsModel : Observable
         get => _chosen;
         set
         {
-            if (Set(ref _chosen, value) && value is not null) _desk.ShowPlaceOf(value.Diagnostic);
+            if (SetProperty(ref _chosen, value) && value is not null) _desk.ShowPlaceOf(value.Diagnostic);
         }
     }
 
-    private void Look()
+    private void Refresh()
     {
         var findings = _desk.Derived.Findings;
         if (ReferenceEquals(findings, _shown)) return;
         _shown = findings;
-        if (_desk.Session.View.Current.Focus is { } pointed && !pointed.IsAmong(findings)) _desk.Session.View.PointNowhere();
+        if (_desk.Session.View.Current.Focus is { } pointed && !pointed.IsAmong(findings)) _desk.Session.View.ClearFocus();
         Rows = [.. findings.OrderByDescending(found => found.Severity).Select(found => new FindingRow(found))];
         Summary = Rows.Count == 0 ? Text.Get("Findings.None") : Text.Get("Findings.Summary", Text.Count("Count.Error", Rows.Count(row => row.IsError)), Text.Count("Count.Warning", Rows.Count(row => row.IsWarning)), Text.Count("Count.Finding", Rows.Count));
-        Tell(nameof(Rows));
-        Tell(nameof(Summary));
+        OnPropertyChanged(nameof(Rows));
+        OnPropertyChanged(nameof(Summary));
     }
 }
 

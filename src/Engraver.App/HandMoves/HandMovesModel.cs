@@ -13,11 +13,11 @@ namespace Engraver.App.HandMoves;
 
 /// <summary>The Machine page: jog pad, positions to move to, homing, work origins, inputs and outputs. Moves by steps or to a position are commands; only
 /// the continuous jog goes directly to the machine.</summary>
-public sealed class HandMovesModel : Observable, IDisposable
+public sealed class HandMovesModel : ObservableObject, IDisposable
 {
     private readonly DesktopModel _desk;
-    private HeldJog? _jog;
-    private Task _before = Task.CompletedTask;
+    private ContinuousJog? _jog;
+    private Task _previousJog = Task.CompletedTask;
     private StepSize _step;
     private bool _isGuardOpen;
 
@@ -35,8 +35,8 @@ public sealed class HandMovesModel : Observable, IDisposable
         ZeroX = Command("CNCZERO", "X");
         ZeroY = Command("CNCZERO", "Y");
         ZeroZ = Command("CNCZERO", "Z");
-        desk.Notifications.Changed += Look;
-        Look();
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
     /// <summary>The clock that measures how long a key is held.</summary>
@@ -50,52 +50,52 @@ public sealed class HandMovesModel : Observable, IDisposable
         get => _step;
         set
         {
-            if (!Set(ref _step, value)) return;
-            foreach (var step in Steps) step.Reconsider();
-            GetReady();
+            if (!SetProperty(ref _step, value)) return;
+            foreach (var step in Steps) step.Refresh();
+            PrepareJog();
         }
     }
 
     /// <summary>The rapid enable key, which allows the rapid speed, is held; Shift does the same.</summary>
     public bool IsFast { get; set; }
 
-    public Act GoOrigin { get; }
+    public RelayCommand GoOrigin { get; }
 
-    public Act GoStart { get; }
+    public RelayCommand GoStart { get; }
 
-    public Act GoPark { get; }
+    public RelayCommand GoPark { get; }
 
-    public Act GoClearance { get; }
+    public RelayCommand GoClearance { get; }
 
-    public Act Home { get; }
+    public RelayCommand Home { get; }
 
-    public Act ZeroAll { get; }
+    public RelayCommand ZeroAll { get; }
 
-    public Act ZeroX { get; }
+    public RelayCommand ZeroX { get; }
 
-    public Act ZeroY { get; }
+    public RelayCommand ZeroY { get; }
 
     /// <summary>Only on a machine with a Z axis.</summary>
-    public Act ZeroZ { get; }
+    public RelayCommand ZeroZ { get; }
 
     /// <summary>The axes that <see cref="ZeroAll"/> sets.</summary>
-    public string ZeroAllText => Text.Get(HasHeight ? "Pad.ZeroAllWithZ" : "Pad.ZeroAll");
+    public string ZeroAllText => Text.Get(HasZ ? "Pad.ZeroAllWithZ" : "Pad.ZeroAll");
 
     public IReadOnlyList<OriginRow> Origins { get; private set; } = [];
 
-    public IReadOnlyList<LineRow> Inputs { get; private set; } = [];
+    public IReadOnlyList<IoRow> Inputs { get; private set; } = [];
 
-    public IReadOnlyList<LineRow> Outputs { get; private set; } = [];
+    public IReadOnlyList<IoRow> Outputs { get; private set; } = [];
 
     /// <summary>While it is open, a click on an output asks to switch it.</summary>
     public bool IsGuardOpen
     {
         get => _isGuardOpen;
-        set => Set(ref _isGuardOpen, value);
+        set => SetProperty(ref _isGuardOpen, value);
     }
 
     /// <summary>The machine has a Z axis.</summary>
-    public bool HasHeight { get; private set; }
+    public bool HasZ { get; private set; }
 
     /// <summary>Height of the tool above the zero of the drawing and of the controller; empty without a Z axis.</summary>
     public string Height { get; private set; } = "";
@@ -105,16 +105,16 @@ public sealed class HandMovesModel : Observable, IDisposable
     public bool IsNotHomed { get; private set; }
 
     /// <summary>A press on the pad would move the machine; otherwise the pad looks disabled, and a press shows the reason.</summary>
-    public bool CanJog => WhyNot() is null;
+    public bool CanJog => RefusalReason() is null;
 
     /// <summary>A continuous jog is expected, because its step was chosen or the pad has the focus: prepares the controller, so that a press moves the
     /// machine immediately.</summary>
-    public void GetReady()
+    public void PrepareJog()
     {
-        if (Step.Millimetres is null && !_desk.IsMoving && WhyNot() is null) _ = GetReadyAsync();
+        if (Step.Millimetres is null && !_desk.IsMoving && RefusalReason() is null) _ = PrepareJogAsync();
     }
 
-    private async Task GetReadyAsync()
+    private async Task PrepareJogAsync()
     {
         try
         {
@@ -132,7 +132,7 @@ public sealed class HandMovesModel : Observable, IDisposable
     public void Press(JogVelocity way, bool shift)
     {
         if (_jog is { IsReleased: false }) return;
-        if (WhyNot() is { } why)
+        if (RefusalReason() is { } why)
         {
             _desk.Notifications.Say(MessageKind.Error, why);
             return;
@@ -145,18 +145,18 @@ public sealed class HandMovesModel : Observable, IDisposable
             return;
         }
 
-        var jog = _desk.Session.Machine.Hand.Presence.Begin(way.At(Speed(shift)));
-        var (before, journal) = (_before, _desk.Session.NewRunJournal("jog"));
+        var jog = _desk.Session.Machine.Hand.Presence.BeginJog(way.At(Speed(shift)));
+        var (before, journal) = (_previousJog, _desk.Session.NewRunJournal("jog"));
         var ended = Task.Run(() => JogAsync(jog, before, journal));
-        (_jog, _before) = (jog, ended);
-        _ = TellEndAsync(jog, ended);
+        (_jog, _previousJog) = (jog, ended);
+        _ = ReportEndAsync(jog, ended);
     }
 
     /// <summary>The window responds and the key is held.</summary>
-    public void Hold(bool shift)
+    public void KeepJogging(bool shift)
     {
         if (_jog is not { IsReleased: false } jog) return;
-        jog.Steer(Speed(shift));
+        jog.SetSpeed(Speed(shift));
         _desk.Session.Machine.Hand.Presence.Sign();
     }
 
@@ -164,23 +164,23 @@ public sealed class HandMovesModel : Observable, IDisposable
     public void Release() => _jog?.Release();
 
     /// <summary>Completes when the last jog has restored the controller.</summary>
-    public Task Jogged => _before;
+    public Task Jogged => _previousJog;
 
     public void Dispose() => _jog?.Dispose();
 
-    private string? WhyNot()
+    private string? RefusalReason()
     {
         var machine = _desk.Session.Machine;
         if (machine.Connection.Description is null) return Text.Get("Pad.NoController");
         if (machine.Status.MotorsOn == false) return Text.Get("Pad.MotorsOff");
-        return _desk.IsMoving && !machine.Controls.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
+        return _desk.IsMoving && !machine.Controls.IsHeld && _previousJog.IsCompleted ? Text.Get("Pad.Busy") : null;
     }
 
     /// <summary>The fastest speed (<see cref="HandSpeed"/>) requires the rapid enable key.</summary>
     private double Speed(bool shift)
     {
         var profile = _desk.Session.Machine.Profile;
-        var fastest = HandSpeed.Fastest(profile, _desk.Session.Machine.Connection.IsHomed);
+        var fastest = HandSpeed.Max(profile, _desk.Session.Machine.Connection.IsHomed);
         return IsFast || shift ? fastest : Math.Min(profile.JogMmPerMinute, fastest);
     }
 
@@ -191,19 +191,19 @@ public sealed class HandMovesModel : Observable, IDisposable
     }
 
     /// <param name="before">The previous jog, which restores the controller first.</param>
-    private async Task<JobResult> JogAsync(HeldJog jog, Task before, string journal)
+    private async Task<JobResult> JogAsync(ContinuousJog jog, Task before, string journal)
     {
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
         return jog.IsReleased ? JobResult.NotStarted(0, "") : await _desk.Session.Machine.ReadyJogs.JogAsync(jog, journal).ConfigureAwait(false);
     }
 
-    private async Task TellEndAsync(HeldJog jog, Task<JobResult> ended)
+    private async Task ReportEndAsync(ContinuousJog jog, Task<JobResult> ended)
     {
         try
         {
             var result = await ended;
-            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Say(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
-            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Notifications.Say(MessageKind.Error, result.Sentence);
+            if (jog.Abandoned is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Say(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
+            if (result.Outcome != JobOutcome.Complete && result.Message.Length > 0) _desk.Notifications.Say(MessageKind.Error, result.Message);
             foreach (var left in result.NotRestored) _desk.Notifications.Say(MessageKind.Warning, left);
         }
         catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
@@ -216,23 +216,23 @@ public sealed class HandMovesModel : Observable, IDisposable
         }
     }
 
-    private Act Command(params string[] inputs) => new(() => _ = _desk.Queue.RunAsync(inputs), () => _desk.Session.Machine.Connection.Description is not null && !_desk.IsMoving);
+    private RelayCommand Command(params string[] inputs) => new(() => _ = _desk.Queue.RunAsync(inputs), () => _desk.Session.Machine.Connection.Description is not null && !_desk.IsMoving);
 
-    private void Look()
+    private void Refresh()
     {
         var machine = _desk.Session.Machine;
         var (profile, status) = (machine.Profile, machine.Status);
-        HasHeight = profile.Axes.Z is not null;
-        Height = HasHeight ? Text.Get("Pad.Height", Millimetres(status.WorkHeight), Millimetres(status.MachineHeight)) : "";
+        HasZ = profile.Axes.Z is not null;
+        Height = HasZ ? Text.Get("Pad.Height", Millimetres(status.WorkHeight), Millimetres(status.MachineHeight)) : "";
         (Homed, IsNotHomed) = machine.Connection.IsHomed switch { true => (Text.Get("Pad.Homed"), false), false => (Text.Get("Pad.NotHomed"), true), null => ("", false) };
         var memory = machine.Connection.Lease?.Memory;
         IReadOnlyList<OriginRow> origins = [.. WorkOriginNames.All.Select(name => new OriginRow(name, Place(memory?.Origins.GetValueOrDefault(name), profile), memory?.Active == name))];
         if (!origins.SequenceEqual(Origins)) Origins = origins;
-        IReadOnlyList<LineRow> inputs = [.. Lines(profile.Inputs, status.Inputs)], outputs = [.. Lines(profile.Outputs, status.Outputs)];
+        IReadOnlyList<IoRow> inputs = [.. IoRows(profile.Inputs, status.Inputs)], outputs = [.. IoRows(profile.Outputs, status.Outputs)];
         if (!inputs.SequenceEqual(Inputs)) Inputs = inputs;
         if (!outputs.SequenceEqual(Outputs)) Outputs = outputs;
-        Tell(null);
-        foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.Reconsider();
+        OnPropertyChanged(null);
+        foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.RaiseCanExecuteChanged();
     }
 
     private static string Place(WorkOrigin? origin, MachineProfile profile) =>
@@ -240,14 +240,14 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     private static string Millimetres(double? height) => height is { } known ? NumberText.Fixed(known, 3) : "–";
 
-    private static IEnumerable<LineRow> Lines(LineNames names, int? bits) =>
-        Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
+    private static IEnumerable<IoRow> IoRows(IoLineNames names, int? bits) =>
+        Enumerable.Range(1, 8).Select(line => new IoRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
 
     /// <summary>The operator chose an origin.</summary>
-    public void Choose(OriginRow origin) => _ = _desk.Queue.RunAsync("CNCORIGIN", origin.Name);
+    public void ChooseOrigin(OriginRow origin) => _ = _desk.Queue.RunAsync("CNCORIGIN", origin.Name);
 
     /// <summary>The operator clicked an output.</summary>
-    public void Switch(LineRow output)
+    public void SwitchOutput(IoRow output)
     {
         if (IsGuardOpen) _ = _desk.Queue.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
     }
@@ -255,7 +255,7 @@ public sealed class HandMovesModel : Observable, IDisposable
 
 /// <summary>A step size.</summary>
 /// <param name="millimetres">Null: continuous.</param>
-public sealed class StepSize(double? millimetres, HandMovesModel owner) : Observable
+public sealed class StepSize(double? millimetres, HandMovesModel owner) : ObservableObject
 {
     public double? Millimetres => millimetres;
 
@@ -267,19 +267,16 @@ public sealed class StepSize(double? millimetres, HandMovesModel owner) : Observ
         set
         {
             if (value) owner.Step = this;
-            Tell(nameof(IsChosen));
+            OnPropertyChanged(nameof(IsChosen));
         }
     }
 
-    public void Reconsider() => Tell(nameof(IsChosen));
+    public void Refresh() => OnPropertyChanged(nameof(IsChosen));
 }
-
-/// <summary>A work origin in the list.</summary>
-public sealed record OriginRow(string Name, string Place, bool IsActive);
 
 /// <summary>An input or an output.</summary>
 /// <param name="IsOn">Null: unknown.</param>
-public sealed record LineRow(int Number, string Name, bool? IsOn)
+public sealed record IoRow(int Number, string Name, bool? IsOn)
 {
     public string State => IsOn switch { true => Text.Get("Pad.On"), false => Text.Get("Pad.Off"), null => Text.Get("Pad.Unknown") };
 

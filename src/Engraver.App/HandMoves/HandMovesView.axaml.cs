@@ -13,9 +13,9 @@ public partial class HandMovesView : UserControl
     public HandMovesView()
     {
         InitializeComponent();
-        FastKey.AddHandler(PointerPressedEvent, (_, e) => HoldFast(e.GetCurrentPoint(FastKey).Properties.IsLeftButtonPressed), RoutingStrategies.Tunnel, handledEventsToo: true);
-        FastKey.AddHandler(PointerReleasedEvent, (_, _) => HoldFast(false), RoutingStrategies.Tunnel, handledEventsToo: true);
-        FastKey.PointerCaptureLost += (_, _) => HoldFast(false);
+        FastKey.AddHandler(PointerPressedEvent, (_, e) => SetFast(e.GetCurrentPoint(FastKey).Properties.IsLeftButtonPressed), RoutingStrategies.Tunnel, handledEventsToo: true);
+        FastKey.AddHandler(PointerReleasedEvent, (_, _) => SetFast(false), RoutingStrategies.Tunnel, handledEventsToo: true);
+        FastKey.PointerCaptureLost += (_, _) => SetFast(false);
     }
 
     private HandMovesModel? Model => DataContext as HandMovesModel;
@@ -25,31 +25,31 @@ public partial class HandMovesView : UserControl
         base.OnAttachedToVisualTree(e);
         if (TopLevel.GetTopLevel(this) is not Window window) return;
         _window = window;
-        window.Deactivated += OnWindowLost;
+        window.Deactivated += OnWindowDeactivated;
     }
 
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
-        HoldFast(false);
-        if (_window is { } window) window.Deactivated -= OnWindowLost;
+        SetFast(false);
+        if (_window is { } window) window.Deactivated -= OnWindowDeactivated;
         base.OnDetachedFromVisualTree(e);
     }
 
     /// <summary>The rapid enable key is pressed or released; losing the pointer or the window releases it.</summary>
-    private void HoldFast(bool held)
+    private void SetFast(bool held)
     {
         if (Model is { } model) model.IsFast = held;
     }
 
-    private void OnWindowLost(object? sender, EventArgs e) => HoldFast(false);
+    private void OnWindowDeactivated(object? sender, EventArgs e) => SetFast(false);
 
     private void OnOrigin(object? sender, RoutedEventArgs e)
     {
-        if (sender is Button { DataContext: OriginRow origin }) Model?.Choose(origin);
+        if (sender is Button { DataContext: OriginRow origin }) Model?.ChooseOrigin(origin);
     }
 
     private void OnOutput(object? sender, RoutedEventArgs e)
     {
-        if (sender is Button { DataContext: LineRow output }) Model?.Switch(output);
+        if (sender is Button { DataContext: IoRow output }) Model?.SwitchOutput(output);
     }
 }

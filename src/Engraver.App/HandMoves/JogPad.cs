@@ -21,7 +21,7 @@ public sealed class JogPad : UserControl
         ("↙", new JogVelocity(-1, -1), 2, 0), ("YMinus", new JogVelocity(0, -1), 2, 1), ("↘", new JogVelocity(1, -1), 2, 2), ("ZMinus", new JogVelocity(0, 0, -1), 2, 3),
     ];
 
-    private ITimer? _beat;
+    private ITimer? _heartbeat;
     private Window? _window;
     private Key? _key;
     private bool _shift;
@@ -34,13 +34,13 @@ public sealed class JogPad : UserControl
         AddHandler(PointerReleasedEvent, (_, _) => Release(), RoutingStrategies.Tunnel, handledEventsToo: true);
         PointerCaptureLost += (_, _) => Release();
         LostFocus += (_, _) => Release();
-        GotFocus += (_, _) => Model?.GetReady();
+        GotFocus += (_, _) => Model?.PrepareJog();
     }
 
     private HandMovesModel? Model => DataContext as HandMovesModel;
 
     /// <summary>The keys that jog while the pad has the focus; all others go to the command line.</summary>
-    public static JogVelocity? WayOf(Key key) => key switch
+    public static JogVelocity? DirectionOf(Key key) => key switch
     {
         Key.Left => new JogVelocity(-1, 0),
         Key.Right => new JogVelocity(1, 0),
@@ -52,14 +52,14 @@ public sealed class JogPad : UserControl
     };
 
     /// <summary>Whether the pad handles a key; the window asks this before all other controls.</summary>
-    public static bool Takes(object? source, Key key) => source is JogPad && (WayOf(key) is not null || key is Key.LeftShift or Key.RightShift);
+    public static bool Handles(object? source, Key key) => source is JogPad && (DirectionOf(key) is not null || key is Key.LeftShift or Key.RightShift);
 
     protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnAttachedToVisualTree(e);
         if (TopLevel.GetTopLevel(this) is not Window window) return;
         _window = window;
-        window.Deactivated += OnWindowLost;
+        window.Deactivated += OnWindowDeactivated;
         window.Closing += OnWindowClosing;
     }
 
@@ -68,7 +68,7 @@ public sealed class JogPad : UserControl
         Release();
         if (_window is { } window)
         {
-            window.Deactivated -= OnWindowLost;
+            window.Deactivated -= OnWindowDeactivated;
             window.Closing -= OnWindowClosing;
         }
 
@@ -79,10 +79,10 @@ public sealed class JogPad : UserControl
     {
         base.OnKeyDown(e);
         _shift = e.KeyModifiers.HasFlag(KeyModifiers.Shift) || e.Key is Key.LeftShift or Key.RightShift;
-        if (WayOf(e.Key) is not { } way) return;
+        if (DirectionOf(e.Key) is not { } way) return;
         e.Handled = true;
         if (_key is not null) return; // keyboard repeat
-        if (way.Z != 0.0 && Model is { HasHeight: false }) return;
+        if (way.Z != 0.0 && Model is { HasZ: false }) return;
         _key = e.Key;
         Press(way);
     }
@@ -111,7 +111,7 @@ public sealed class JogPad : UserControl
             };
             cell.Bind(Border.BackgroundProperty, this.GetResourceObservable("ChromeBrush"));
             cell.Bind(Border.BorderBrushProperty, this.GetResourceObservable("LineBrush"));
-            if (way.Z != 0.0) cell.Bind(IsVisibleProperty, new Avalonia.Data.Binding(nameof(HandMovesModel.HasHeight)));
+            if (way.Z != 0.0) cell.Bind(IsVisibleProperty, new Avalonia.Data.Binding(nameof(HandMovesModel.HasZ)));
             Grid.SetRow(cell, row);
             Grid.SetColumn(cell, column);
             grid.Children.Add(cell);
@@ -141,25 +141,25 @@ public sealed class JogPad : UserControl
     {
         if (Model is not { } model) return;
         model.Press(way, _shift);
-        _beat?.Dispose();
-        _beat = model.Time.CreateTimer(_ => Dispatcher.UIThread.Post(IsHeld, DispatcherPriority.Background), null, OperatorPresence.Beat, OperatorPresence.Beat);
+        _heartbeat?.Dispose();
+        _heartbeat = model.Time.CreateTimer(_ => Dispatcher.UIThread.Post(OnHeartbeat, DispatcherPriority.Background), null, OperatorPresence.SignInterval, OperatorPresence.SignInterval);
     }
 
     private void Release()
     {
         _key = null;
-        _beat?.Dispose();
-        _beat = null;
+        _heartbeat?.Dispose();
+        _heartbeat = null;
         Model?.Release();
     }
 
     /// <summary>The window responds: called at a priority below the rest of its work.</summary>
-    private void IsHeld()
+    private void OnHeartbeat()
     {
-        if (_beat is not null) Model?.Hold(_shift);
+        if (_heartbeat is not null) Model?.KeepJogging(_shift);
     }
 
-    private void OnWindowLost(object? sender, EventArgs e) => Release();
+    private void OnWindowDeactivated(object? sender, EventArgs e) => Release();
 
     private void OnWindowClosing(object? sender, WindowClosingEventArgs e) => Release();
 }

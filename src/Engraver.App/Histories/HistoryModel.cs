@@ -8,22 +8,22 @@ using Engraver.Workbench.Reports;
 namespace Engraver.App.Histories;
 
 /// <summary>The jobs that were run and the programs that were written, newest first, with actions on one of them.</summary>
-public sealed class HistoryModel : Observable
+public sealed class HistoryModel : ObservableObject
 {
     private readonly DesktopModel _desk;
-    private HistoryReading? _shown;
+    private HistorySnapshot? _shown;
     private string _search = "";
     private HistoryRow? _chosen;
 
     public HistoryModel(DesktopModel desk)
     {
         _desk = desk;
-        Open = new Act(() => Do("Open"), () => _chosen is not null);
-        Rerun = new Act(() => Do("Rerun"), () => _chosen is not null);
-        Report = new Act(() => Do("rePort"), () => _chosen is not null);
-        desk.Notifications.Changed += Look;
-        Loaded = Task.Run(desk.Session.History.Look);
-        Look();
+        Open = new RelayCommand(() => RunOption("Open"), () => _chosen is not null);
+        Rerun = new RelayCommand(() => RunOption("Rerun"), () => _chosen is not null);
+        Report = new RelayCommand(() => RunOption("rePort"), () => _chosen is not null);
+        desk.Notifications.Changed += Refresh;
+        Loaded = Task.Run(desk.Session.History.Refresh);
+        Refresh();
     }
 
     /// <summary>Completes when the index has been read.</summary>
@@ -44,7 +44,7 @@ public sealed class HistoryModel : Observable
         get => _search;
         set
         {
-            if (Set(ref _search, value)) Show();
+            if (SetProperty(ref _search, value)) Show();
         }
     }
 
@@ -53,64 +53,38 @@ public sealed class HistoryModel : Observable
         get => _chosen;
         set
         {
-            if (!Set(ref _chosen, value)) return;
-            foreach (var act in (Act[])[Open, Rerun, Report]) act.Reconsider();
+            if (!SetProperty(ref _chosen, value)) return;
+            foreach (var act in (RelayCommand[])[Open, Rerun, Report]) act.RaiseCanExecuteChanged();
         }
     }
 
     /// <summary>Opens the drawing of the selected job in its present state, with the present settings.</summary>
-    public Act Open { get; }
+    public RelayCommand Open { get; }
 
     /// <summary>Opens it with the settings that the job had.</summary>
-    public Act Rerun { get; }
+    public RelayCommand Rerun { get; }
 
     /// <summary>Writes the report of the selected job.</summary>
-    public Act Report { get; }
+    public RelayCommand Report { get; }
 
-    private void Do(string option)
+    private void RunOption(string option)
     {
         if (_chosen is { } row) _ = _desk.Queue.RunAsync("HISTORY", option, row.Entry.Id);
     }
 
-    private void Look()
+    private void Refresh()
     {
-        if (ReferenceEquals(_desk.Session.History.Known, _shown)) return;
+        if (ReferenceEquals(_desk.Session.History.Snapshot, _shown)) return;
         Show();
     }
 
     private void Show()
     {
-        _shown = _desk.Session.History.Known;
+        _shown = _desk.Session.History.Snapshot;
         var kept = _chosen?.Entry.Id;
-        Rows = [.. _shown.Holding(_search.Trim().Length == 0 ? null : _search.Trim()).Entries.Select(entry => new HistoryRow(entry, _desk.Time.LocalTimeZone))];
+        Rows = [.. _shown.Filter(_search.Trim().Length == 0 ? null : _search.Trim()).Entries.Select(entry => new HistoryRow(entry, _desk.Time.LocalTimeZone))];
         Findings = string.Join('\n', _shown.Findings);
-        Tell(null);
+        OnPropertyChanged(null);
         Chosen = Rows.FirstOrDefault(row => row.Entry.Id == kept);
     }
-}
-
-/// <summary>A job.</summary>
-public sealed class HistoryRow(HistoryEntry entry, TimeZoneInfo here)
-{
-    public HistoryEntry Entry => entry;
-
-    public string Date => HistoryText.Date(entry, here);
-
-    public string Drawing => Path.GetFileName(entry.Drawing);
-
-    public string Kind => Text.Get("HistoryKind." + entry.Kind);
-
-    public string Target => entry.Mode ?? entry.Target;
-
-    public string Outcome => entry.Outcome;
-
-    public bool IsBad => entry.Outcome is not ("complete" or "written");
-
-    public string Seconds => entry.Seconds is { } seconds ? ClockText.Format(seconds) : "";
-
-    /// <summary>Maximum deviation; that of a commanded path (no encoder feedback) is marked.</summary>
-    public string Deviation => entry.MaxDeviation is not { } deviation ? "" : entry.OpenLoop is null ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : Text.Get("History.Commanded", deviation);
-
-    /// <summary>The outcome, what the deviation refers to, and the location of the files.</summary>
-    public string Tip => string.Join('\n', new[] { entry.Sentence, HistoryText.OpenLoop(entry), entry.Drawing, entry.Address, entry.Program, entry.Journal, entry.Report }.Where(line => !string.IsNullOrEmpty(line)));
 }

@@ -9,22 +9,22 @@ using Engraver.Workbench.Reports;
 namespace Engraver.App.Jobs;
 
 /// <summary>The job before it starts: its checklist, its planned time, its start position.</summary>
-public sealed class JobModel : Observable
+public sealed class JobModel : ObservableObject
 {
     private readonly DesktopModel _desk;
 
     public JobModel(DesktopModel desk)
     {
         _desk = desk;
-        Check = new Act(() => _ = desk.Queue.RunAsync("CHECK"));
-        Simulate = new Act(() => _ = desk.Queue.RunAsync("CNCSIM"));
-        desk.Notifications.Changed += Look;
-        Look();
+        Check = new RelayCommand(() => _ = desk.Queue.RunAsync("CHECK"));
+        Simulate = new RelayCommand(() => _ = desk.Queue.RunAsync("CNCSIM"));
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
-    public Act Check { get; }
+    public RelayCommand Check { get; }
 
-    public Act Simulate { get; }
+    public RelayCommand Simulate { get; }
 
     public IReadOnlyList<CheckLine> Checks { get; private set; } = [];
 
@@ -32,17 +32,17 @@ public sealed class JobModel : Observable
 
     public bool HasJob => _desk.Derived.Job is not null;
 
-    private void Look()
+    private void Refresh()
     {
         var (checks, figures) = (ChecksNow(), FiguresNow());
         if (checks.SequenceEqual(Checks) && figures.SequenceEqual(Figures)) return;
         (Checks, Figures) = (checks, figures);
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
     /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start position as expected.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.Origins.LastPlacement(program, dryRun: _desk.Session.Machine.Arming.Armed is { DryRun: true }) : null, _desk.Time.GetUtcNow(), _desk.Session.Certificates.StandingOf(job)?.Check).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
+        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.Origins.LastPlacement(program, dryRun: _desk.Session.Machine.Arming.Armed is { DryRun: true }) : null, _desk.Time.GetUtcNow(), _desk.Session.Certificates.StatusOf(job)?.Check).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()
@@ -73,10 +73,10 @@ public sealed class JobModel : Observable
 public sealed record CheckLine(ArmingCheck Check)
 {
     /// <summary>A shape in addition to the colour.</summary>
-    public string Mark => Check switch { { IsNote: true } => "–", { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
+    public string Mark => Check switch { { IsNote: true } => "–", { IsCurrent: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
 
     /// <summary>The sentence of the check; a warning is marked by a word, too.</summary>
-    public string Sentence => Check.IsWarning ? Text.Get("Job.Warning", Check.Sentence) : Check.Sentence;
+    public string Sentence => Check.IsWarning ? Text.Get("Job.Warning", Check.Message) : Check.Message;
 
     /// <summary>True if the check has not passed, or is a warning.</summary>
     public bool IsUnusual => !Check.Passed || Check.IsWarning;

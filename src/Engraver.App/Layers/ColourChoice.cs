@@ -19,7 +19,7 @@ public sealed class ColourChoice(DrawingColour colour, Action<string> take)
 
     public IBrush Brush { get; } = BrushOf(colour);
 
-    public Act Take { get; } = new(() => take(ColourName.FormatInEnglish(colour)));
+    public RelayCommand Choose { get; } = new(() => take(ColourName.FormatInEnglish(colour)));
 
     public static IBrush BrushOf(DrawingColour colour) =>
         new SolidColorBrush(Color.FromUInt32(colour.Rgb is { } rgb ? 0xFF000000 | rgb : AciPalette.ColourOf(colour.OrForeground().Index!.Value, White)));

@@ -27,13 +27,13 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
     /// <summary>False: nothing on the layer is cut.</summary>
     public bool IsCut => layer.CutByDefault;
 
-    public Act SwitchOn { get; } = Switch(layer.On ? "OFF" : "ON", layer, desk);
+    public RelayCommand SwitchOn { get; } = Switch(layer.On ? "OFF" : "ON", layer, desk);
 
-    public Act SwitchThawed { get; } = Switch(layer.Frozen ? "Thaw" : "Freeze", layer, desk);
+    public RelayCommand SwitchThawed { get; } = Switch(layer.Frozen ? "Thaw" : "Freeze", layer, desk);
 
-    public Act SwitchLocked { get; } = Switch(layer.Locked ? "Unlock" : "LOck", layer, desk);
+    public RelayCommand SwitchLocked { get; } = Switch(layer.Locked ? "Unlock" : "LOck", layer, desk);
 
-    public Act SwitchPlot { get; } = Switch(layer.Plot ? "Noplot" : "Plot", layer, desk);
+    public RelayCommand SwitchPlot { get; } = Switch(layer.Plot ? "Noplot" : "Plot", layer, desk);
 
     public IBrush Colour { get; } = ColourChoice.BrushOf(layer.Colour);
 
@@ -42,5 +42,5 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
     public IReadOnlyList<ColourChoice> Choices { get; } =
         [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.Queue.RunAsync("LAYER", "Color", name, layer.Name, "")))];
 
-    private static Act Switch(string option, Layer layer, DesktopModel desk) => new(() => _ = desk.Queue.RunAsync("LAYER", option, layer.Name, ""));
+    private static RelayCommand Switch(string option, Layer layer, DesktopModel desk) => new(() => _ = desk.Queue.RunAsync("LAYER", option, layer.Name, ""));
 }

@@ -5,7 +5,7 @@ using Engraver.Core.Drawings;
 namespace Engraver.App.Layers;
 
 /// <summary>The layers of the drawing.</summary>
-public sealed class LayersModel : Observable
+public sealed class LayersModel : ObservableObject
 {
     private readonly DesktopModel _desk;
     private Drawing? _shown;
@@ -13,21 +13,21 @@ public sealed class LayersModel : Observable
     public LayersModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Notifications.Changed += Look;
-        Look();
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
     public IReadOnlyList<LayerRow> Layers { get; private set; } = [];
 
     public bool IsEmpty => Layers.Count == 0;
 
-    private void Look()
+    private void Refresh()
     {
         var drawing = _desk.Session.Document.Current.Drawing;
         if (ReferenceEquals(drawing, _shown)) return;
         _shown = drawing;
         Layers = drawing is null ? [] : Rows(drawing);
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
     private List<LayerRow> Rows(Drawing drawing)

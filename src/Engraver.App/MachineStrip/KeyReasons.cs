@@ -13,13 +13,13 @@ internal static class KeyReasons
         MachineState.Armed => "Armed",
         MachineState.NoOrigin or MachineState.NotHomed or MachineState.MotorsOff => null,
         var state when state.IsReady() => null,
-        _ => Standing(status),
+        _ => CommonReason(status),
     };
 
     public static string? Start(MachineStatus status) => status.State switch
     {
         MachineState.Armed or MachineState.Held => null,
-        _ => Standing(status) ?? "NotArmed",
+        _ => CommonReason(status) ?? "NotArmed",
     };
 
     public static string? Hold(MachineStatus status) => status.State is MachineState.Running or MachineState.DryRun ? null : "NoJob";
@@ -31,7 +31,7 @@ internal static class KeyReasons
     public static string TipOf(string? reason, string otherwise, MachineStatus status) => reason is null ? Text.Get(otherwise) : Text.Get("KeyReason." + reason + ".Tip", status.Reason.TrimEnd('.'));
 
     /// <summary>The reasons that disable both ARM and START.</summary>
-    private static string? Standing(MachineStatus status) => status.State switch
+    private static string? CommonReason(MachineStatus status) => status.State switch
     {
         MachineState.Offline => "NoController",
         MachineState.Connected => "Connecting",

@@ -9,44 +9,44 @@ using Engraver.Workbench.Machines;
 namespace Engraver.App.MachineStrip;
 
 /// <summary>The machine in one line: state as text, shape and colour, position, feed, tool, progress, and the keys.</summary>
-public sealed class MachineStripModel : Observable
+public sealed class MachineStripModel : ObservableObject
 {
     /// <summary>The change of the override by one press, as a factor of the programmed feed or rapid speed.</summary>
     private const double OverrideStep = 0.1;
 
     private const string Unknown = "–";
     private readonly DesktopModel _desk;
-    private readonly ToldSpeed _told = new();
+    private readonly ReportedSpeed _reportedSpeed = new();
     private MachineStatus _status = MachineStatus.Offline;
 
     public MachineStripModel(DesktopModel desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.Queue.RunAsync("CNCARM", "Stream"), () => KeyReasons.Arm(_status) is null);
-        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.Queue.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => KeyReasons.Start(_status) is null);
-        Hold = new Act(desk.HoldNow, () => KeyReasons.Hold(_status) is null);
-        Faster = new Act(() => desk.OverrideBy(OverrideStep), () => _status.FeedRatio < JobControl.FeedRange.Fastest);
-        Slower = new Act(() => desk.OverrideBy(-OverrideStep), () => _status.FeedRatio > JobControl.FeedRange.Slowest);
-        RapidsFaster = new Act(() => desk.OverrideRapidsBy(OverrideStep), () => _status.RapidRatio < JobControl.RapidRange.Fastest);
-        RapidsSlower = new Act(() => desk.OverrideRapidsBy(-OverrideStep), () => _status.RapidRatio > JobControl.RapidRange.Slowest);
-        Stop = new Act(desk.StopNow);
-        desk.Notifications.Changed += Look;
-        Look();
+        Arm = new RelayCommand(() => _ = desk.Queue.RunAsync("CNCARM", "Stream"), () => KeyReasons.Arm(_status) is null);
+        Start = new RelayCommand(() => _ = _status.State is MachineState.Held ? desk.Queue.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => KeyReasons.Start(_status) is null);
+        Hold = new RelayCommand(desk.HoldNow, () => KeyReasons.Hold(_status) is null);
+        Faster = new RelayCommand(() => desk.OverrideBy(OverrideStep), () => _status.FeedRatio < JobControl.FeedRange.Max);
+        Slower = new RelayCommand(() => desk.OverrideBy(-OverrideStep), () => _status.FeedRatio > JobControl.FeedRange.Min);
+        RapidsFaster = new RelayCommand(() => desk.OverrideRapidsBy(OverrideStep), () => _status.RapidRatio < JobControl.RapidRange.Max);
+        RapidsSlower = new RelayCommand(() => desk.OverrideRapidsBy(-OverrideStep), () => _status.RapidRatio > JobControl.RapidRange.Min);
+        Stop = new RelayCommand(desk.StopNow);
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
-    public Act Arm { get; }
+    public RelayCommand Arm { get; }
 
     /// <summary>Enabled only when the machine is armed, or when a job is held.</summary>
-    public Act Start { get; }
+    public RelayCommand Start { get; }
 
     /// <summary>The action of START; with a held job it is to continue, as the key of that name on other machines.</summary>
     public string StartText => Text.Get(_status.State is MachineState.Held ? "Machine.Resume" : "Machine.Start");
 
     /// <summary>Why ARM is disabled, in one or two words under the key; empty while it is enabled.</summary>
-    public string ArmWhy => KeyReasons.ShortOf(KeyReasons.Arm(_status));
+    public string ArmReason => KeyReasons.ShortOf(KeyReasons.Arm(_status));
 
     /// <summary>The same for START.</summary>
-    public string StartWhy => KeyReasons.ShortOf(KeyReasons.Start(_status));
+    public string StartReason => KeyReasons.ShortOf(KeyReasons.Start(_status));
 
     /// <summary>The action of ARM; while it is disabled, the reason and what to do.</summary>
     public string ArmTip => KeyReasons.TipOf(KeyReasons.Arm(_status), "Machine.ArmTip", _status);
@@ -55,25 +55,25 @@ public sealed class MachineStripModel : Observable
 
     public string HoldTip => KeyReasons.TipOf(KeyReasons.Hold(_status), "Machine.HoldTip", _status);
 
-    public string FasterTip => Text.Get(_status.FeedRatio < JobControl.FeedRange.Fastest ? "Machine.FasterTip" : "Machine.OverrideAtMaximum");
+    public string FasterTip => Text.Get(_status.FeedRatio < JobControl.FeedRange.Max ? "Machine.FasterTip" : "Machine.OverrideAtMaximum");
 
-    public string SlowerTip => Text.Get(_status.FeedRatio > JobControl.FeedRange.Slowest ? "Machine.SlowerTip" : "Machine.OverrideAtMinimum");
+    public string SlowerTip => Text.Get(_status.FeedRatio > JobControl.FeedRange.Min ? "Machine.SlowerTip" : "Machine.OverrideAtMinimum");
 
-    public string RapidsFasterTip => Text.Get(_status.RapidRatio < JobControl.RapidRange.Fastest ? "Machine.RapidsFasterTip" : "Machine.OverrideAtMaximum");
+    public string RapidsFasterTip => Text.Get(_status.RapidRatio < JobControl.RapidRange.Max ? "Machine.RapidsFasterTip" : "Machine.OverrideAtMaximum");
 
-    public string RapidsSlowerTip => Text.Get(_status.RapidRatio > JobControl.RapidRange.Slowest ? "Machine.RapidsSlowerTip" : "Machine.OverrideAtMinimum");
+    public string RapidsSlowerTip => Text.Get(_status.RapidRatio > JobControl.RapidRange.Min ? "Machine.RapidsSlowerTip" : "Machine.OverrideAtMinimum");
 
-    public Act Hold { get; }
+    public RelayCommand Hold { get; }
 
-    public Act Faster { get; }
+    public RelayCommand Faster { get; }
 
-    public Act Slower { get; }
+    public RelayCommand Slower { get; }
 
-    public Act RapidsFaster { get; }
+    public RelayCommand RapidsFaster { get; }
 
-    public Act RapidsSlower { get; }
+    public RelayCommand RapidsSlower { get; }
 
-    public Act Stop { get; }
+    public RelayCommand Stop { get; }
 
     /// <summary>Feed in percent of the plan.</summary>
     public string Override => _status.FeedInForce < _status.FeedRatio
@@ -89,7 +89,7 @@ public sealed class MachineStripModel : Observable
     /// <summary>The same for the rapid speed.</summary>
     public string RapidsKey => _status.RapidRatio == 1.0 ? "NeutralLampBrush" : "AbnormalLampBrush";
 
-    public string State => _status.State.Said();
+    public string State => _status.State.DisplayText();
 
     /// <summary>Name of the geometry before the state.</summary>
     public string ShapeKey => "Shape." + _status.State;
@@ -117,7 +117,7 @@ public sealed class MachineStripModel : Observable
     public string Y => Figure(_status.WorkPosition?.Y ?? _status.MachinePosition?.Y);
 
     /// <summary>The machine has a Z axis.</summary>
-    public bool HasHeight => _desk.Session.Machine.Profile.Axes.Z is not null;
+    public bool HasZ => _desk.Session.Machine.Profile.Axes.Z is not null;
 
     /// <summary>Height above the zero of the drawing, or above the controller's zero while that one is unknown; the same as for X and Y.</summary>
     public string Z => Figure(_status.WorkHeight ?? _status.MachineHeight);
@@ -126,9 +126,9 @@ public sealed class MachineStripModel : Observable
 
     public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.MachinePosition", Figure(place.X), Figure(place.Y)) : "";
 
-    /// <summary>Speed along the path, mm/min: while a job runs, computed from the positions that the controller reports (<see cref="ToldSpeed"/>),
+    /// <summary>Speed along the path, mm/min: while a job runs, computed from the positions that the controller reports (<see cref="ReportedSpeed"/>),
     /// otherwise the speed that the controller reports.</summary>
-    public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
+    public string Feed => (_status.Speed ?? _reportedSpeed.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
     public string Tool => _status.ToolCommanded switch { true => Text.Get("Machine.ToolOn"), false => Text.Get("Machine.ToolOff"), null => Unknown };
 
@@ -149,20 +149,20 @@ public sealed class MachineStripModel : Observable
     public string SegmentsText => _status.Progress is { } at ? Text.Get("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
     /// <summary>Empty while there is no job with progress.</summary>
-    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
+    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at) * _desk.Derived.TimeFactor(_status.FeedInForce, _status.RapidRatio))) : "";
 
-    private void Look()
+    private void Refresh()
     {
         _status = _desk.Session.Machine.Status;
-        _told.Look(_status.State.IsJob() ? _status.Progress : null);
-        Tell(null);
-        Arm.Reconsider();
-        Start.Reconsider();
-        Hold.Reconsider();
-        Faster.Reconsider();
-        Slower.Reconsider();
-        RapidsFaster.Reconsider();
-        RapidsSlower.Reconsider();
+        _reportedSpeed.Update(_status.State.IsJob() ? _status.Progress : null);
+        OnPropertyChanged(null);
+        Arm.RaiseCanExecuteChanged();
+        Start.RaiseCanExecuteChanged();
+        Hold.RaiseCanExecuteChanged();
+        Faster.RaiseCanExecuteChanged();
+        Slower.RaiseCanExecuteChanged();
+        RapidsFaster.RaiseCanExecuteChanged();
+        RapidsSlower.RaiseCanExecuteChanged();
     }
 
     private static string Figure(double? millimetres) => millimetres is { } value ? NumberText.Fixed(value, 3) : Unknown;

@@ -7,13 +7,13 @@ namespace Engraver.App.MachineStrip;
 public partial class MachineStripView : UserControl
 {
     /// <summary>In a narrower window inputs and outputs are hidden in favour of the progress; CNCSTATUS shows them. Units of 1/96 inch.</summary>
-    private const double LeastWidthForWires = 1270.0;
+    private const double MinWidthForInputsOutputs = 1270.0;
 
     /// <summary>In a still narrower window the state is above the position, and the tool above the progress.</summary>
-    private const double LeastWidthForOneRow = 1140.0;
+    private const double MinWidthForOneRow = 1140.0;
 
     /// <summary>In a narrower window only what the operator must see is shown.</summary>
-    private const double LeastWidthForSegments = 1000.0;
+    private const double MinWidthForSegments = 1000.0;
 
     public MachineStripView()
     {
@@ -26,8 +26,8 @@ public partial class MachineStripView : UserControl
 
     private void Arrange(double width)
     {
-        WiresField.IsVisible = width >= LeastWidthForWires;
-        Classes.Set("narrow", width < LeastWidthForOneRow);
-        Classes.Set("tight", width < LeastWidthForSegments);
+        WiresField.IsVisible = width >= MinWidthForInputsOutputs;
+        Classes.Set("narrow", width < MinWidthForOneRow);
+        Classes.Set("tight", width < MinWidthForSegments);
     }
 }

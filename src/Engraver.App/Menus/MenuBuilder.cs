@@ -17,7 +17,7 @@ namespace Engraver.App.Menus;
 public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act, RecentMenu? recent = null)
 {
     /// <summary>Minimum height of a menu, units of 1/96 inch.</summary>
-    internal const double LeastHeight = 120;
+    internal const double MinHeight = 120;
 
     /// <summary>Between a menu and the edge of its window.</summary>
     private const double Edge = 8;
@@ -29,7 +29,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
     {
         if (item?.GetVisualDescendants().OfType<Popup>().FirstOrDefault() is not { Child: Border list } || item.TranslatePoint(default, window) is not { } corner) return;
         var top = item.Parent is Menu ? corner.Y + item.Bounds.Height : 0;
-        list.MaxHeight = Math.Max(LeastHeight, window.Bounds.Height - top - Edge);
+        list.MaxHeight = Math.Max(MinHeight, window.Bounds.Height - top - Edge);
     }
 
     private MenuItem Menu(MenuSection section)
@@ -67,15 +67,4 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         Grid.SetColumn(hint, 1);
         return hint;
     }
-}
-
-/// <summary>The name of a command in menus and tips.</summary>
-public static class MenuTitle
-{
-    /// <summary>The text <c>Command.NAME</c>; without one, the name of the setting that the command changes, otherwise the command's own name.</summary>
-    public static string Find(string name) => Text.Find("Command." + name) ?? SettingTable.All.FirstOrDefault(setting => setting.Command == name)?.Name ?? name;
-
-    /// <summary>The shortest input for the command: its shortest alias, or the name.</summary>
-    public static string Typed(CommandSession session, string name) =>
-        session.Aliases.Commands.Where(pair => pair.Value == name).Select(pair => pair.Key).OrderBy(alias => alias.Length).ThenBy(alias => alias, StringComparer.Ordinal).FirstOrDefault() ?? name;
 }

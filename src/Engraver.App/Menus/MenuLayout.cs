@@ -59,7 +59,7 @@ public static class MenuLayout
     {
         ArgumentNullException.ThrowIfNull(catalog);
         var named = s_sections.SelectMany(section => section.Commands).ToHashSet(StringComparer.Ordinal);
-        var homeless = catalog.All.Where(info => !named.Contains(info.Name)).GroupBy(info => HomeOf(info.Group)).ToDictionary(group => group.Key, group => group.Select(info => info.Name).ToList());
+        var homeless = catalog.All.Where(info => !named.Contains(info.Name)).GroupBy(info => MenuOf(info.Group)).ToDictionary(group => group.Key, group => group.Select(info => info.Name).ToList());
         return [.. s_sections.Select(section => Built(catalog, section, homeless.GetValueOrDefault(section.Key, [])))];
     }
 
@@ -72,7 +72,7 @@ public static class MenuLayout
     private static bool IsBuilt(CommandCatalog catalog, IReadOnlyList<MenuSection> submenus, string entry) =>
         entry.StartsWith(MenuSection.SubmenuPrefix, StringComparison.Ordinal) ? submenus.Any(submenu => submenu.Name == entry) : entry.Length == 0 || entry.Contains('.', StringComparison.Ordinal) || catalog.Find(entry) is not null;
 
-    private static string HomeOf(CommandGroup group) => group switch
+    private static string MenuOf(CommandGroup group) => group switch
     {
         CommandGroup.File => "File",
         CommandGroup.Ask => "Drawing",

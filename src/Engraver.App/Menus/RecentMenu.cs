@@ -31,7 +31,7 @@ public sealed class RecentMenu(RecentDrawings recent, ICommand open, ICommand li
     private MenuItem EntryOf(RecentDrawing drawing, int number)
     {
         var name = drawing.Name.Replace("_", "__", StringComparison.Ordinal); // a single underscore marks an access key
-        var entry = new MenuItem { Header = Text.Get(drawing.IsGone ? "Menu.RecentNotFound" : "Menu.RecentDrawing", number, name), Command = open, CommandParameter = drawing, IsEnabled = drawing.IsThere, Tag = drawing.Path };
+        var entry = new MenuItem { Header = Text.Get(drawing.IsMissing ? "Menu.RecentNotFound" : "Menu.RecentDrawing", number, name), Command = open, CommandParameter = drawing, IsEnabled = drawing.Exists, Tag = drawing.Path };
         ToolTip.SetTip(entry, drawing.Path);
         return entry;
     }

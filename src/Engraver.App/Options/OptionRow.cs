@@ -4,12 +4,12 @@ using Engraver.Workbench.Commands.Settings;
 namespace Engraver.App.Options;
 
 /// <summary>A setting on the sheet, with its edited value.</summary>
-public sealed class OptionRow(OptionEntry entry) : Observable
+public sealed class OptionRow(OptionEntry entry) : ObservableObject
 {
     private const string On = "1";
     private const string Off = "0";
     private string _typed = entry.Value;
-    private string _wrong = "";
+    private string _error = "";
 
     public OptionEntry Entry => entry;
 
@@ -17,14 +17,14 @@ public sealed class OptionRow(OptionEntry entry) : Observable
     public string Title => entry.Unit.Length > 0 ? Texts.Text.Get("Options.WithUnit", entry.Name, entry.Unit) : entry.Name;
 
     /// <summary>Its meaning, its possible values, and its default.</summary>
-    public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.ShownDefault) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
+    public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.DisplayDefault) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
 
     public bool IsNumber => entry.Choices.Count == 0 && !entry.IsSwitch;
 
     public bool IsChoice => entry.Choices.Count > 0;
 
     /// <summary>The possible words.</summary>
-    public IReadOnlyList<OptionChoice> Choices { get; } = entry.ShownChoices;
+    public IReadOnlyList<OptionChoice> Choices { get; } = entry.DisplayChoices;
 
     /// <summary>The selected word; null for a number.</summary>
     public OptionChoice? Choice
@@ -41,10 +41,10 @@ public sealed class OptionRow(OptionEntry entry) : Observable
         get => _typed;
         set
         {
-            if (!Set(ref _typed, (value ?? "").Trim())) return;
-            Wrong = entry.WhyNot(_typed) ?? "";
-            Tell(nameof(IsOn));
-            Tell(nameof(Choice));
+            if (!SetProperty(ref _typed, (value ?? "").Trim())) return;
+            Error = entry.RefusalOf(_typed) ?? "";
+            OnPropertyChanged(nameof(IsOn));
+            OnPropertyChanged(nameof(Choice));
         }
     }
 
@@ -59,15 +59,15 @@ public sealed class OptionRow(OptionEntry entry) : Observable
     public bool IsChanged => _typed != entry.Value;
 
     /// <summary>The error in the value, in a sentence; empty if the value is valid.</summary>
-    public string Wrong
+    public string Error
     {
-        get => _wrong;
+        get => _error;
         set
         {
-            Set(ref _wrong, value);
-            Tell(nameof(IsWrong));
+            SetProperty(ref _error, value);
+            OnPropertyChanged(nameof(HasError));
         }
     }
 
-    public bool IsWrong => _wrong.Length > 0;
+    public bool HasError => _error.Length > 0;
 }

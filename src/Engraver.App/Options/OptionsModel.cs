@@ -7,7 +7,7 @@ namespace Engraver.App.Options;
 
 /// <summary>The sheet of OPTIONS: every setting on pages, with a search over all of them. Changes are made by the commands that can also be
 /// typed.</summary>
-public sealed class OptionsModel : Observable
+public sealed class OptionsModel : ObservableObject
 {
     private readonly DesktopModel _desk;
     private IReadOnlyList<OptionRow> _rows = [];
@@ -18,15 +18,15 @@ public sealed class OptionsModel : Observable
     public OptionsModel(DesktopModel desk)
     {
         _desk = desk;
-        Cancel = new Act(() => IsOpen = false);
-        Apply = new Act(() => _ = ApplyAsync());
-        Take = new Act(() => _ = TakeAsync());
+        Cancel = new RelayCommand(() => IsOpen = false);
+        Apply = new RelayCommand(() => _ = ApplyAsync());
+        Accept = new RelayCommand(() => _ = AcceptAsync());
     }
 
     public bool IsOpen
     {
         get => _isOpen;
-        private set => Set(ref _isOpen, value);
+        private set => SetProperty(ref _isOpen, value);
     }
 
     /// <summary>Titles of the pages.</summary>
@@ -38,9 +38,9 @@ public sealed class OptionsModel : Observable
         get => _page;
         set
         {
-            if (value is null || !Set(ref _page, value)) return;
-            if (_search.Length > 0) Set(ref _search, "", nameof(Search));
-            Tell(nameof(Shown));
+            if (value is null || !SetProperty(ref _page, value)) return;
+            if (_search.Length > 0) SetProperty(ref _search, "", nameof(Search));
+            OnPropertyChanged(nameof(Shown));
         }
     }
 
@@ -49,31 +49,31 @@ public sealed class OptionsModel : Observable
         get => _search;
         set
         {
-            if (!Set(ref _search, value ?? "")) return;
-            Tell(nameof(Shown));
-            Tell(nameof(FindsNothing));
+            if (!SetProperty(ref _search, value ?? "")) return;
+            OnPropertyChanged(nameof(Shown));
+            OnPropertyChanged(nameof(HasNoMatch));
         }
     }
 
     /// <summary>The rows of the page, or the matches of the search.</summary>
-    public IReadOnlyList<OptionRow> Shown => _search.Trim().Length > 0 ? [.. _rows.Where(row => row.Entry.Holds(_search))] : [.. _rows.Where(row => row.Entry.PageTitle == _page)];
+    public IReadOnlyList<OptionRow> Shown => _search.Trim().Length > 0 ? [.. _rows.Where(row => row.Entry.Matches(_search))] : [.. _rows.Where(row => row.Entry.PageTitle == _page)];
 
-    public bool FindsNothing => IsOpen && Shown.Count == 0;
+    public bool HasNoMatch => IsOpen && Shown.Count == 0;
 
     /// <summary>Discards all changes.</summary>
-    public Act Cancel { get; }
+    public RelayCommand Cancel { get; }
 
     /// <summary>Applies the changes; the sheet stays open.</summary>
-    public Act Apply { get; }
+    public RelayCommand Apply { get; }
 
     /// <summary>OK: applies the changes and closes the sheet, unless a value is invalid.</summary>
-    public Act Take { get; }
+    public RelayCommand Accept { get; }
 
     public void Open()
     {
         Read();
         _search = "";
-        Tell(null);
+        OnPropertyChanged(null);
         IsOpen = true;
     }
 
@@ -81,44 +81,44 @@ public sealed class OptionsModel : Observable
     /// <returns>False if one was refused; the reason is shown beside it.</returns>
     public async Task<bool> ApplyAsync()
     {
-        foreach (var row in _rows) row.Wrong = row.Entry.WhyNot(row.Typed) ?? "";
-        if (_rows.FirstOrDefault(row => row.IsWrong) is { } wrong) return Refused(wrong);
+        foreach (var row in _rows) row.Error = row.Entry.RefusalOf(row.Typed) ?? "";
+        if (_rows.FirstOrDefault(row => row.HasError) is { } wrong) return ShowRefused(wrong);
         var shown = _rows.ToDictionary(row => row.Entry.Key, row => row.Typed, StringComparer.Ordinal);
         var done = new HashSet<string>(StringComparer.Ordinal);
         foreach (var row in _rows.Where(row => row.IsChanged).ToList())
         {
             var inputs = OptionTable.InputsFor(row.Entry, shown);
             if (!done.Add(string.Join('\n', inputs))) continue; // two settings of one command
-            if (await WhyNotAsync(inputs) is not { } refusal) continue;
-            row.Wrong = refusal;
-            return Refused(row);
+            if (await ErrorOfAsync(inputs) is not { } refusal) continue;
+            row.Error = refusal;
+            return ShowRefused(row);
         }
 
         Read();
-        Tell(nameof(Shown));
+        OnPropertyChanged(nameof(Shown));
         return true;
     }
 
-    private async Task TakeAsync()
+    private async Task AcceptAsync()
     {
         if (await ApplyAsync()) IsOpen = false;
     }
 
     /// <summary>Brings the row with the invalid value to the front.</summary>
-    private bool Refused(OptionRow row)
+    private bool ShowRefused(OptionRow row)
     {
         if (!Shown.Contains(row)) Page = row.Entry.PageTitle;
         return false;
     }
 
-    private async Task<string?> WhyNotAsync(IReadOnlyList<string> inputs)
+    private async Task<string?> ErrorOfAsync(IReadOnlyList<string> inputs)
     {
         switch (await _desk.Queue.RunAsync([.. inputs]))
         {
-            case InputResult.Failed failed: return failed.Sentence;
-            case InputResult.NotUnderstood unclear: return unclear.Sentence;
+            case InputResult.Failed failed: return failed.Message;
+            case InputResult.NotAccepted unclear: return unclear.Message;
             case InputResult.Cancelled: return Texts.Text.Get("Options.Cancelled");
-            case InputResult.Asking:
+            case InputResult.AwaitingInput:
                 var asked = _desk.Prompt.Text;
                 await _desk.Queue.CancelAsync();
                 return asked;

@@ -14,7 +14,7 @@ public partial class OptionsView : UserControl
     {
         InitializeComponent();
         OptionPages.ContainerPrepared += (_, e) => e.Container.Focusable = true; // list items are not focusable elsewhere (Theme/Controls.axaml)
-        OptionPages.SelectionChanged += (_, _) => TabGoesToShownPage();
+        OptionPages.SelectionChanged += (_, _) => FocusShownPageOnTab();
     }
 
     private OptionsModel Model => (OptionsModel)DataContext!;
@@ -25,13 +25,13 @@ public partial class OptionsView : UserControl
     {
         if (e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem) return false; // the keys belong to the open list
         if (e.Key == Key.Escape) Model.Cancel.Execute(null);
-        else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem)) Model.Accept.Execute(null);
         else return false;
         return true;
     }
 
     /// <summary>Tab moves to the shown page, from which the arrow keys continue, instead of the first of the list.</summary>
-    private void TabGoesToShownPage()
+    private void FocusShownPageOnTab()
     {
         if (OptionPages.SelectedItem is { } page) KeyboardNavigation.SetTabOnceActiveElement(OptionPages, OptionPages.ContainerFromItem(page));
     }
@@ -41,23 +41,5 @@ public partial class OptionsView : UserControl
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
         if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => SearchBox.Focus(), DispatcherPriority.Loaded);
-    }
-}
-
-/// <summary>Opens the sheets of commands that have one, at the request of the command session.</summary>
-internal static class OptionsDialog
-{
-    /// <summary>While the window is open, OPTIONS opens its sheet instead of a prompt at the command line, and QUIT closes the window.</summary>
-    public static void Serve(DesktopModel desk, OptionsModel options, Window window)
-    {
-        desk.Session.Dialogs = Show;
-        window.Closed += (_, _) => desk.Session.Dialogs = null;
-
-        bool Show(string command)
-        {
-            Action? open = command switch { "OPTIONS" => options.Open, "QUIT" => window.Close, _ => null };
-            if (open is not null) Dispatcher.UIThread.Post(open);
-            return open is not null;
-        }
     }
 }

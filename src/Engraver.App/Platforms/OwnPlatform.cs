@@ -69,7 +69,7 @@ internal static class DesktopPlatform
             ApplicationName = "engraver-desktop",
             Filter = (in KeyPress press) => press is { IsDown: true, IsRepeat: false } && session.StopKeys.Press(press.Key, press.Modifiers),
             Regions = regions,
-            DisplayLost = _ => Console.Error.WriteLine(Text.Get("Start.Failed", session.LoseDisplay())),
+            DisplayLost = _ => Console.Error.WriteLine(Text.Get("Start.Failed", session.HandleDisplayLoss())),
         });
     }
 }

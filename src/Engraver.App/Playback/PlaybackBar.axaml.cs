@@ -6,11 +6,11 @@ namespace Engraver.App.Playback;
 public partial class PlaybackBar : UserControl
 {
     /// <summary>In a narrower bar the speeds are hidden in favour of the time; PLAYBACK sets them. Units of 1/96 inch.</summary>
-    private const double LeastWidthForSpeeds = 470.0;
+    private const double MinWidthForSpeeds = 470.0;
 
     public PlaybackBar()
     {
         InitializeComponent();
-        SizeChanged += (_, e) => SpeedList.IsVisible = e.NewSize.Width >= LeastWidthForSpeeds;
+        SizeChanged += (_, e) => SpeedList.IsVisible = e.NewSize.Width >= MinWidthForSpeeds;
     }
 }

@@ -6,40 +6,40 @@ using Engraver.App.Texts;
 namespace Engraver.App.Playback;
 
 /// <summary>The planned path over time: play, step, scrub. While it plays, a timer of the window updates the position.</summary>
-public sealed class PlaybackModel : Observable
+public sealed class PlaybackModel : ObservableObject
 {
-    private const double FramesASecond = 60.0;
-    private const double PagesOfTheWhole = 20.0;
+    private const double FramesPerSecond = 60.0;
+    private const double PagesPerPlan = 20.0;
     private readonly DesktopModel _desk;
     private readonly DispatcherTimer _timer;
 
     public PlaybackModel(DesktopModel desk)
     {
         _desk = desk;
-        _timer = new DispatcherTimer(TimeSpan.FromSeconds(1.0 / FramesASecond), DispatcherPriority.Render, (_, _) => Tick());
+        _timer = new DispatcherTimer(TimeSpan.FromSeconds(1.0 / FramesPerSecond), DispatcherPriority.Render, (_, _) => Tick());
         _timer.Stop();
         Speeds = [new(Text.Get("Playback.Slow"), 1.0, this), new(Text.Get("Playback.Fast"), 10.0, this), new(Text.Get("Playback.Max"), double.PositiveInfinity, this)];
-        ToStart = new Act(() => At = 0.0);
-        ToEnd = new Act(() => At = Total);
-        StepBack = new Act(() => StepStroke(-1));
-        StepForward = new Act(() => StepStroke(1));
-        PlayOrPause = new Act(Toggle);
-        desk.Notifications.Changed += Look;
-        desk.Derived.Moved += Look;
+        ToStart = new RelayCommand(() => At = 0.0);
+        ToEnd = new RelayCommand(() => At = Total);
+        StepBack = new RelayCommand(() => StepStroke(-1));
+        StepForward = new RelayCommand(() => StepStroke(1));
+        PlayOrPause = new RelayCommand(Toggle);
+        desk.Notifications.Changed += Refresh;
+        desk.Derived.ToolMoved += Refresh;
     }
 
     public IReadOnlyList<PlaybackSpeed> Speeds { get; }
 
-    public Act ToStart { get; }
+    public RelayCommand ToStart { get; }
 
-    public Act ToEnd { get; }
+    public RelayCommand ToEnd { get; }
 
     /// <summary>To the start of the previous contour.</summary>
-    public Act StepBack { get; }
+    public RelayCommand StepBack { get; }
 
-    public Act StepForward { get; }
+    public RelayCommand StepForward { get; }
 
-    public Act PlayOrPause { get; }
+    public RelayCommand PlayOrPause { get; }
 
     public bool HasPlan => Total > 0.0;
 
@@ -48,7 +48,7 @@ public sealed class PlaybackModel : Observable
     /// <summary>Seconds.</summary>
     public double Total => _desk.Derived.TotalSeconds;
 
-    public double Page => Total / PagesOfTheWhole;
+    public double Page => Total / PagesPerPlan;
 
     /// <summary>Seconds; setting it moves the tool.</summary>
     public double At
@@ -57,7 +57,7 @@ public sealed class PlaybackModel : Observable
         set
         {
             _desk.Derived.MoveTo(value);
-            _desk.Derived.LookWhereToolIs();
+            _desk.Derived.RefreshToolPosition();
         }
     }
 
@@ -69,7 +69,7 @@ public sealed class PlaybackModel : Observable
         set
         {
             Session.Speed = value;
-            foreach (var speed in Speeds) speed.Look();
+            foreach (var speed in Speeds) speed.Refresh();
         }
     }
 
@@ -87,24 +87,24 @@ public sealed class PlaybackModel : Observable
         var stroke = _desk.Derived.StrokeUnderTool + by;
         if (stroke < 0) At = 0.0;
         else if (!Session.GoToStroke(stroke)) At = Total;
-        _desk.Derived.LookWhereToolIs();
+        _desk.Derived.RefreshToolPosition();
     }
 
     private void Tick()
     {
-        _desk.Derived.LookWhereToolIs();
-        Look();
+        _desk.Derived.RefreshToolPosition();
+        Refresh();
     }
 
-    private void Look()
+    private void Refresh()
     {
         if (_timer.IsEnabled != IsPlaying) _timer.IsEnabled = IsPlaying;
-        Tell(null);
+        OnPropertyChanged(null);
     }
 }
 
 /// <summary>A speed of the playback.</summary>
-public sealed class PlaybackSpeed(string name, double factor, PlaybackModel playback) : Observable
+public sealed class PlaybackSpeed(string name, double factor, PlaybackModel playback) : ObservableObject
 {
     public string Name => name;
 
@@ -113,7 +113,7 @@ public sealed class PlaybackSpeed(string name, double factor, PlaybackModel play
 
     public bool IsChosen => playback.Speed == factor;
 
-    public Act Choose { get; } = new(() => playback.Speed = factor);
+    public RelayCommand Choose { get; } = new(() => playback.Speed = factor);
 
-    public void Look() => Tell(nameof(IsChosen));
+    public void Refresh() => OnPropertyChanged(nameof(IsChosen));
 }

@@ -61,14 +61,14 @@ public sealed class SpeedChart : Control
         set => SetValue(CursorBrushProperty, value);
     }
 
-    private Rect Field => new(LeftRoom, TopRoom, Math.Max(1.0, Bounds.Width - LeftRoom - RightRoom), Math.Max(1.0, Bounds.Height - TopRoom - BottomRoom));
+    private Rect PlotArea => new(LeftRoom, TopRoom, Math.Max(1.0, Bounds.Width - LeftRoom - RightRoom), Math.Max(1.0, Bounds.Height - TopRoom - BottomRoom));
 
     public override void Render(DrawingContext context)
     {
         context.FillRectangle(Brushes.Transparent, new Rect(Bounds.Size));
         if (Curve is not { Peak: > 0.0, TotalSeconds: > 0.0 } curve) return;
-        var field = Field;
-        var speeds = ChartMarks.Speeds(curve.Peak * SecondsPerMinute, field.Height);
+        var field = PlotArea;
+        var speeds = ChartTicks.Speeds(curve.Peak * SecondsPerMinute, field.Height);
         DrawGrid(context, field, speeds, curve.TotalSeconds);
         context.DrawGeometry(null, new Pen(LineBrush, 1.2), LineOf(curve, field, speeds[^1]));
         var x = field.X + (field.Width * Math.Clamp(At / curve.TotalSeconds, 0.0, 1.0));
@@ -115,7 +115,7 @@ public sealed class SpeedChart : Control
         }
 
         context.DrawText(LabelOf(Text.Get("Plot.Axis")), new Point(6, 2));
-        foreach (var seconds in ChartMarks.Seconds(totalSeconds, field.Width))
+        foreach (var seconds in ChartTicks.Seconds(totalSeconds, field.Width))
         {
             var x = field.X + (field.Width * seconds / totalSeconds);
             context.DrawLine(pen, new Point(x, field.Y), new Point(x, field.Bottom));
@@ -129,18 +129,6 @@ public sealed class SpeedChart : Control
 
     private void Choose(Point place)
     {
-        if (Curve is { } curve) At = curve.TotalSeconds * Math.Clamp((place.X - Field.X) / Field.Width, 0.0, 1.0);
+        if (Curve is { } curve) At = curve.TotalSeconds * Math.Clamp((place.X - PlotArea.X) / PlotArea.Width, 0.0, 1.0);
     }
-}
-
-/// <summary>Planned speed over time, with as many samples as a window can show.</summary>
-/// <param name="TotalSeconds">Time of the last sample; the first is at 0.</param>
-public sealed record SpeedCurve(double TotalSeconds, IReadOnlyList<SpeedSample> Samples)
-{
-    private const int MostSamples = 4000;
-
-    /// <summary>mm/s.</summary>
-    public double Peak { get; } = Samples.Count == 0 ? 0.0 : Samples.Max(sample => sample.Speed);
-
-    public static SpeedCurve From(PlannedMotion motion) => new(motion.DurationSeconds, Workbench.Playback.SpeedPlot.Sample(motion, MostSamples));
 }

@@ -5,26 +5,26 @@ namespace Engraver.App.Programs;
 
 /// <summary>The job as a program of the controller (DMC).</summary>
 /// <remarks>It is written when the page is first shown.</remarks>
-public sealed class ProgramModel : FollowedRows<ProgramLine>, ISeen
+public sealed class ProgramModel : PlaybackRows<ProgramRow>, IVisibilityAware
 {
-    private bool _isSeen;
+    private bool _isPageVisible;
     private IReadOnlyList<string> _shown = [];
 
     public ProgramModel(DesktopModel desk)
-        : base(desk, () => desk.Derived.LineUnderTool, desk.Derived.MoveToLine, line => line.Index) => Follow();
+        : base(desk, () => desk.Derived.LineUnderTool, desk.Derived.MoveToLine, line => line.Index) => Subscribe();
 
-    public bool IsSeen
+    public bool IsPageVisible
     {
-        get => _isSeen;
+        get => _isPageVisible;
         set
         {
-            if (Set(ref _isSeen, value) && value) Look();
+            if (SetProperty(ref _isPageVisible, value) && value) Refresh();
         }
     }
 
-    protected override void Look()
+    protected override void Refresh()
     {
-        if (!IsSeen)
+        if (!IsPageVisible)
         {
             Forget();
             return;
@@ -33,7 +33,7 @@ public sealed class ProgramModel : FollowedRows<ProgramLine>, ISeen
         var lines = Desk.Derived.ProgramLines();
         if (ReferenceEquals(lines, _shown)) return;
         _shown = lines;
-        Show(lines.Count, index => new ProgramLine(index, lines[index]));
+        Show(lines.Count, index => new ProgramRow(index, lines[index]));
     }
 
     /// <summary>A hidden page keeps no reference to the lines of an old program.</summary>

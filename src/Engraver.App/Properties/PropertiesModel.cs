@@ -13,29 +13,29 @@ using Engraver.Workbench.Documents;
 namespace Engraver.App.Properties;
 
 /// <summary>The properties of the selection, which can be edited, and in a separate section the 16 slots of its rows by name.</summary>
-public sealed class PropertiesModel : Observable
+public sealed class PropertiesModel : ObservableObject
 {
     /// <summary>Maximum number of listed rows; more are only counted.</summary>
-    private const int MostRows = 20;
+    private const int MaxRows = 20;
 
     /// <summary>Maximum number of selected objects for which the rows of the table are searched.</summary>
-    private const int MostObjects = 20;
+    private const int MaxObjects = 20;
 
     private readonly DesktopModel _desk;
-    private (Drawing? Drawing, IReadOnlyList<int>? Selection, EntityTable? Table, Figures Figures) _shown;
+    private (Drawing? Drawing, IReadOnlyList<int>? Selection, EntityTable? Table, DisplayPrecision Figures) _shown;
 
     public PropertiesModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Notifications.Changed += Look;
-        Look();
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
     public IReadOnlyList<PropertyLine> Lines { get; private set; } = [];
 
     public string Summary { get; private set; } = "";
 
-    private void Look()
+    private void Refresh()
     {
         var state = _desk.Session.Document.Current;
         var derived = _desk.Derived.Current;
@@ -45,20 +45,20 @@ public sealed class PropertiesModel : Observable
         _shown = now;
         Summary = state.Selection.Count == 0 ? Text.Get("Properties.Nothing") : Text.Get("Properties.Selected", state.Selection.Count);
         Lines = state.Drawing is { } drawing && state.Selection.Count > 0 ? LinesOf(drawing, table, state.Selection, now.Item4) : [];
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
-    private List<PropertyLine> LinesOf(Drawing drawing, EntityTable? table, IReadOnlyList<int> selection, Figures figures)
+    private List<PropertyLine> LinesOf(Drawing drawing, EntityTable? table, IReadOnlyList<int> selection, DisplayPrecision figures)
     {
         var lines = new List<PropertyLine>();
         var values = ObjectProperties.Of(drawing, selection, figures);
         foreach (var section in values.GroupBy(value => value.Property.IsGeneral))
         {
-            lines.Add(PropertyLine.Head(Text.Get(section.Key ? "Properties.General" : "Properties.Geometry")));
+            lines.Add(PropertyLine.Header(Text.Get(section.Key ? "Properties.General" : "Properties.Geometry")));
             lines.AddRange(section.Select(value => LineOf(value, drawing)));
         }
 
-        if (table is not null && selection.Count <= MostObjects) lines.AddRange(TableLines(table, selection));
+        if (table is not null && selection.Count <= MaxObjects) lines.AddRange(TableLines(table, selection));
         return lines;
     }
 
@@ -87,15 +87,15 @@ public sealed class PropertiesModel : Observable
     private static IEnumerable<PropertyLine> TableLines(EntityTable table, IReadOnlyList<int> selection)
     {
         var chosen = selection.ToHashSet();
-        int[] rows = [.. Enumerable.Range(0, table.Count).Where(row => chosen.Contains(table.EntityIndexOf(row))).Take(MostRows + 1)];
+        int[] rows = [.. Enumerable.Range(0, table.Count).Where(row => chosen.Contains(table.EntityIndexOf(row))).Take(MaxRows + 1)];
         if (rows.Length == 0) yield break;
-        yield return PropertyLine.Head(Text.Get("Properties.Table"));
-        foreach (var row in rows.Take(MostRows))
+        yield return PropertyLine.Header(Text.Get("Properties.Table"));
+        foreach (var row in rows.Take(MaxRows))
         {
-            yield return PropertyLine.Head(Text.Get("Properties.Row", row + 1));
+            yield return PropertyLine.Header(Text.Get("Properties.Row", row + 1));
             for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.NameOf(slot)} {SlotNames.UnitOf(slot)}".TrimEnd(), new TableRow(table, row).Figure(slot), null);
         }
 
-        if (rows.Length > MostRows) yield return PropertyLine.Head(Text.Get("Properties.MoreRows"));
+        if (rows.Length > MaxRows) yield return PropertyLine.Header(Text.Get("Properties.MoreRows"));
     }
 }

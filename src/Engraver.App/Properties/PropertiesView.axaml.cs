@@ -11,24 +11,24 @@ public partial class PropertiesView : UserControl
     {
         InitializeComponent();
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
-        LineList.AddHandler(LostFocusEvent, OnLeft, RoutingStrategies.Bubble);
+        LineList.AddHandler(LostFocusEvent, OnFieldLostFocus, RoutingStrategies.Bubble);
     }
 
     /// <summary>Enter and Esc in a field belong to the field, not to the window.</summary>
-    public static bool Takes(object? source, Key key) => key is Key.Enter or Key.Escape && source is TextBox { DataContext: PropertyLine };
+    public static bool Handles(object? source, Key key) => key is Key.Enter or Key.Escape && source is TextBox { DataContext: PropertyLine };
 
     private void OnKey(object? sender, KeyEventArgs e)
     {
         if (e.Source is not TextBox { DataContext: PropertyLine line }) return;
-        if (e.Key == Key.Enter) line.Take();
-        else if (e.Key == Key.Escape) line.GiveUp();
+        if (e.Key == Key.Enter) line.Accept();
+        else if (e.Key == Key.Escape) line.Revert();
         else return;
         e.Handled = true;
         TopLevel.GetTopLevel(this)?.FocusManager?.Focus(null);
     }
 
-    private static void OnLeft(object? sender, RoutedEventArgs e)
+    private static void OnFieldLostFocus(object? sender, RoutedEventArgs e)
     {
-        if (e.Source is TextBox { DataContext: PropertyLine line }) line.Take();
+        if (e.Source is TextBox { DataContext: PropertyLine line }) line.Accept();
     }
 }

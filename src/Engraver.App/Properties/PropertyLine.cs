@@ -6,7 +6,7 @@ namespace Engraver.App.Properties;
 /// <param name="name">The displayed name.</param>
 /// <param name="value">The present value.</param>
 /// <param name="change">Sets a value and returns whether it was changed; null if it cannot be edited.</param>
-public sealed class PropertyLine(string name, string value, Func<string, Task<bool>>? change = null) : Observable, IEquatable<PropertyLine>
+public sealed class PropertyLine(string name, string value, Func<string, Task<bool>>? change = null) : ObservableObject, IEquatable<PropertyLine>
 {
     private string _typed = value;
 
@@ -17,7 +17,7 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
 
     public string Value { get; } = value;
 
-    public bool IsHead { get; private init; }
+    public bool IsHeader { get; private init; }
 
     /// <summary>The possible values, where they are known: layers.</summary>
     public IReadOnlyList<string> Choices { get; init; } = [];
@@ -26,13 +26,13 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
 
     public bool IsTyped => change is not null && !HasChoices;
 
-    public bool IsShown => change is null && !IsHead;
+    public bool IsShown => change is null && !IsHeader;
 
     /// <summary>The text of the field.</summary>
     public string Typed
     {
         get => _typed;
-        set => Set(ref _typed, value ?? "");
+        set => SetProperty(ref _typed, value ?? "");
     }
 
     /// <summary>The selected choice; null for values that vary.</summary>
@@ -46,16 +46,16 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
     }
 
     /// <summary>The heading of a section.</summary>
-    public static PropertyLine Head(string title) => new(title, "", null) { IsHead = true };
+    public static PropertyLine Header(string title) => new(title, "", null) { IsHeader = true };
 
     /// <summary>Enter: accepts the text of the field as the new value.</summary>
-    public void Take()
+    public void Accept()
     {
         if (Typed != Value) _ = ChangeAsync(Typed.Trim());
     }
 
     /// <summary>Esc: the field shows the value again.</summary>
-    public void GiveUp() => Typed = Value;
+    public void Revert() => Typed = Value;
 
     /// <summary>A refusal is reported in the history, and the field shows the value again.</summary>
     private async Task ChangeAsync(string to)
@@ -64,15 +64,15 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
         _isBeingChanged = true;
         if (!await change(to))
         {
-            GiveUp();
-            Tell(nameof(Chosen));
+            Revert();
+            OnPropertyChanged(nameof(Chosen));
         }
 
         _isBeingChanged = false;
     }
 
     /// <summary>Read-only lines are equal if their texts are.</summary>
-    public bool Equals(PropertyLine? other) => ReferenceEquals(this, other) || (other is { IsHead: var head } && head == IsHead && IsShown && other.IsShown && (other.Name, other.Value) == (Name, Value));
+    public bool Equals(PropertyLine? other) => ReferenceEquals(this, other) || (other is { IsHeader: var head } && head == IsHeader && IsShown && other.IsShown && (other.Name, other.Value) == (Name, Value));
 
     public override bool Equals(object? obj) => Equals(obj as PropertyLine);
 

@@ -11,7 +11,7 @@ public sealed class FailureGuard(Action stop, AlarmLog alarms, FailureReports re
 {
     /// <summary>Handles an unexpected exception; from any thread.</summary>
     /// <returns>The path of the report; null if none was written.</returns>
-    public string? Take(Exception failure)
+    public string? Handle(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
         stop();

@@ -6,8 +6,8 @@ namespace Engraver.App.Sessions;
 /// <summary>The options of the command line (<c>engraver desktop</c>; see docs/cli-contract.md).</summary>
 public sealed record DesktopOptions
 {
-    private const double LeastScale = 0.5;
-    private const double MostScale = 4.0;
+    private const double MinScale = 0.5;
+    private const double MaxScale = 4.0;
 
     /// <summary>The drawing to open; null for none.</summary>
     public string? File { get; init; }
@@ -65,7 +65,7 @@ public sealed record DesktopOptions
         "--screenshot" => this with { Screenshot = value },
         "--benchmark" => BenchmarkName.All.Contains(value) ? this with { Benchmark = value } : null,
         "--size" => SizeOf(value) is { } size ? this with { Size = size } : null,
-        "--scale" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out var scale) && scale is >= LeastScale and <= MostScale ? this with { Scale = scale } : null,
+        "--scale" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out var scale) && scale is >= MinScale and <= MaxScale ? this with { Scale = scale } : null,
         _ => null,
     };
 

@@ -52,7 +52,7 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>The display is gone, and with it the operator's controls: stops the machine first; the journal of the job states the reason. Any thread;
     /// does not wait.</summary>
     /// <returns>What happened and what to do, for the person who started the program.</returns>
-    public string LoseDisplay()
+    public string HandleDisplayLoss()
     {
         var moved = DesktopModel.Moves(_session.Machine);
         var what = Text.Get(moved ? "Failure.DisplayLostInMotion" : "Failure.DisplayLost");

@@ -13,14 +13,14 @@ public static class DesktopStart
     public static async Task<string?> OpenAsync(DesktopModel desk, DesktopOptions options)
     {
         if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.Queue.RunAsync("CNCPROFILE", profile);
-        if (options.File is { } file && await desk.Queue.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Sentence;
+        if (options.File is { } file && await desk.Queue.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Message;
         var ran = options.Script is { } script ? await desk.Queue.RunAsync("SCRIPT", script) : null;
         await desk.SettleAsync();
-        return ran is InputResult.Failed failed ? failed.Sentence : null;
+        return ran is InputResult.Failed failed ? failed.Message : null;
     }
 
     /// <summary>Saves a picture of the window to a file.</summary>
-    public static void Picture(Window window, double scale, string path)
+    public static void SavePicture(Window window, double scale, string path)
     {
         using var picture = new RenderTargetBitmap(new Avalonia.PixelSize((int)(window.Bounds.Width * scale), (int)(window.Bounds.Height * scale)), new Avalonia.Vector(96 * scale, 96 * scale));
         picture.Render(window);

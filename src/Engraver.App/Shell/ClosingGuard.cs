@@ -17,7 +17,7 @@ internal sealed class ClosingGuard
     private bool _warnedOfJob;
 
     /// <summary>The edits that may be discarded; null: the operator has not answered.</summary>
-    private Drawing? _given;
+    private Drawing? _discardableEdits;
     private bool _isAsking;
 
     /// <param name="close">Requests closing again, after the edits are saved or may be lost.</param>
@@ -30,7 +30,7 @@ internal sealed class ClosingGuard
     /// <summary>Reports in the history why the window stays open, or asks whether edits are saved first; a request to close while that question is open has
     /// no effect.</summary>
     /// <returns>True if the window has to stay open this time.</returns>
-    public bool Holds(WindowCloseReason reason)
+    public bool PreventsClosing(WindowCloseReason reason)
     {
         if (reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
         if (_isAsking) return true;
@@ -42,7 +42,7 @@ internal sealed class ClosingGuard
             return true;
         }
 
-        if (!_desk.Session.Document.IsEdited || ReferenceEquals(_desk.Session.Document.Current.Edition, _given)) return false;
+        if (!_desk.Session.Document.IsEdited || ReferenceEquals(_desk.Session.Document.Current.Edition, _discardableEdits)) return false;
         _ = AskAsync();
         return true;
     }
@@ -54,7 +54,7 @@ internal sealed class ClosingGuard
         bool may;
         try
         {
-            may = await _files.MayCloseAsync();
+            may = await _files.ConfirmCloseAsync();
         }
         finally
         {
@@ -62,7 +62,7 @@ internal sealed class ClosingGuard
         }
 
         if (!may) return;
-        _given = edits;
+        _discardableEdits = edits;
         _close();
     }
 }

@@ -10,7 +10,7 @@ internal static class OpeningSize
     private const double TitleBar = 32;
 
     /// <param name="wanted">The last size, units of 1/96 inch.</param>
-    public static void Give(Window window, Size wanted)
+    public static void Apply(Window window, Size wanted)
     {
         var room = window.Screens.Primary is { } screen ? screen.WorkingArea.Size.ToSize(screen.Scaling) : wanted;
         var size = wanted.Constrain(new Size(room.Width, Math.Max(1, room.Height - TitleBar)));

@@ -16,19 +16,19 @@ public sealed class PanelSizes
     /// <summary>The strip of tabs, and the row with the last message.</summary>
     private const double FoldedPagesHeight = 29 + 24;
     private const double FoldedPalettesWidth = 30;
-    private const double LeastPagesHeight = 110;
-    private const double LeastPalettesWidth = 240;
+    private const double MinPagesHeight = 110;
+    private const double MinPalettesWidth = 240;
     private const double DefaultHistoryHeight = 420;
 
     /// <summary>Minimum room beside the panels, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools in
     /// several columns.</summary>
-    private const double LeastCanvasHeight = 140;
-    private const double LeastCanvasWidth = 340;
+    private const double MinCanvasHeight = 140;
+    private const double MinCanvasWidth = 340;
     private const double SplitterSize = 4;
 
     /// <summary>With less room for canvas and panels, the pages or the palettes are folded.</summary>
-    private const double LeastHeightForPages = 380;
-    private const double LeastWidthForPalettes = 900;
+    private const double MinHeightForPages = 380;
+    private const double MinWidthForPalettes = 900;
     private readonly DesktopModel _desk;
     private readonly RowDefinition _pagesRow;
     private readonly ColumnDefinition _palettesColumn;
@@ -44,11 +44,11 @@ public sealed class PanelSizes
     public PanelSizes(DesktopModel desk, Control room, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
         (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
-        rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(LeastPagesHeight, e.NewSize.Height - SplitterSize - LeastCanvasHeight);
-        columns.SizeChanged += (_, e) => _palettesColumn.MaxWidth = Math.Max(LeastPalettesWidth, e.NewSize.Width - SplitterSize - LeastCanvasWidth);
+        rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(MinPagesHeight, e.NewSize.Height - SplitterSize - MinCanvasHeight);
+        columns.SizeChanged += (_, e) => _palettesColumn.MaxWidth = Math.Max(MinPalettesWidth, e.NewSize.Width - SplitterSize - MinCanvasWidth);
         room.SizeChanged += (_, e) => FitTo(e.NewSize);
-        pages.FoldWanted += (_, _) => FoldPages();
-        palettes.FoldWanted += (_, _) => FoldPalettes();
+        pages.FoldRequested += (_, _) => FoldPages();
+        palettes.FoldRequested += (_, _) => FoldPalettes();
         ShowPages();
         ShowPalettes();
     }
@@ -69,14 +69,14 @@ public sealed class PanelSizes
     }
 
     /// <summary>Brings the history to the front when something is typed; folded pages stay folded, and the command line shows the last line.</summary>
-    public void BringCommandLine() => _pages.Show("Command");
+    public void ShowHistory() => _pages.Show("Command");
 
     /// <summary>F2: enlarges the history, or restores its height. Both heights are remembered.</summary>
     public void ExpandHistory()
     {
-        BringCommandLine();
+        ShowHistory();
         if (ArePagesFolded) FoldPages();
-        Keep();
+        Save();
         _isExpanded = !_isExpanded;
         var usual = SizeOf(PagesName, DefaultPagesHeight);
         _pagesRow.Height = new GridLength(_isExpanded ? Math.Max(usual, SizeOf(HistoryName, DefaultHistoryHeight)) : usual);
@@ -92,7 +92,7 @@ public sealed class PanelSizes
     }
 
     /// <summary>Stores the present sizes.</summary>
-    public void Keep() => _desk.Session.Settings.Change(settings =>
+    public void Save() => _desk.Session.Settings.Change(settings =>
     {
         if (!IsFolded(PagesName)) settings = settings.WithPanelSize(_isExpanded ? HistoryName : PagesName, _pagesRow.Height.Value);
         if (!IsFolded(PalettesName)) settings = settings.WithPanelSize(PalettesName, _palettesColumn.Width.Value);
@@ -109,16 +109,16 @@ public sealed class PanelSizes
     /// <summary>Folds or opens a panel, for windows as small as this one or for all others.</summary>
     private void Fold(string panel)
     {
-        Keep();
+        Save();
         var folds = !IsFolded(panel);
         _desk.Session.Settings.Change(settings => IsSmall(panel) ? settings.WithPanelOpenWhenSmall(panel, !folds) : settings.WithPanelFolded(panel, folds));
     }
 
     private void FitTo(Size room)
     {
-        var (low, narrow) = (room.Height < LeastHeightForPages, room.Width < LeastWidthForPalettes);
+        var (low, narrow) = (room.Height < MinHeightForPages, room.Width < MinWidthForPalettes);
         if (low == _isLow && narrow == _isNarrow) return;
-        Keep();
+        Save();
         (_isLow, _isNarrow) = (low, narrow);
         ShowPages();
         ShowPalettes();
@@ -130,7 +130,7 @@ public sealed class PanelSizes
     {
         var folded = ArePagesFolded;
         _isExpanded = false;
-        _pagesRow.MinHeight = folded ? FoldedPagesHeight : LeastPagesHeight;
+        _pagesRow.MinHeight = folded ? FoldedPagesHeight : MinPagesHeight;
         _pagesRow.Height = new GridLength(folded ? FoldedPagesHeight : SizeOf(PagesName, DefaultPagesHeight));
         _pages.ShowFolded(folded, "FoldUpIcon", "FoldDownIcon");
     }
@@ -138,7 +138,7 @@ public sealed class PanelSizes
     private void ShowPalettes()
     {
         var folded = IsFolded(PalettesName);
-        _palettesColumn.MinWidth = folded ? FoldedPalettesWidth : LeastPalettesWidth;
+        _palettesColumn.MinWidth = folded ? FoldedPalettesWidth : MinPalettesWidth;
         _palettesColumn.Width = new GridLength(folded ? FoldedPalettesWidth : SizeOf(PalettesName, DefaultPalettesWidth));
         _palettes.ShowFolded(folded, "FoldLeftIcon", "FoldRightIcon");
         _palettes.HideStrip(folded);

@@ -30,7 +30,7 @@ using Engraver.Workbench.Machines;
 namespace Engraver.App.Shell;
 
 /// <summary>The state of the main window: its parts, each with its own model, and its title.</summary>
-public sealed class ShellModel : Observable
+public sealed class ShellModel : ObservableObject
 {
     private readonly PageTab _alarms;
 
@@ -49,7 +49,7 @@ public sealed class ShellModel : Observable
         StartPage = new StartPageModel(desk, Files, Recent, act("OPEN"));
         Tools = ToolColumn.For(desk, act);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
-        desk.Notifications.Changed += Look;
+        desk.Notifications.Changed += Refresh;
     }
 
     public DesktopModel Desk { get; }
@@ -84,7 +84,7 @@ public sealed class ShellModel : Observable
         get
         {
             var file = Path.GetFileName(Desk.Session.Document.FilePath);
-            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), state.Said());
+            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), state.DisplayText());
             return file is null ? Text.Get("Window.Title") : Text.Get("Window.TitleOf", file);
         }
     }
@@ -99,7 +99,7 @@ public sealed class ShellModel : Observable
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
         new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),
         new("Commissioning", () => new CommissioningView { DataContext = new CommissioningModel(Desk) }),
-        new("Plots", () => new PlotView { DataContext = new PlotModel(Desk) }),
+        new("Plots", () => new PlotView { DataContext = new SpeedPlotModel(Desk) }),
     ];
 
     /// <summary>The pages at the bottom.</summary>
@@ -119,12 +119,12 @@ public sealed class ShellModel : Observable
     {
         var derivation = Desk.Session.Derivation;
         if (page is not ("Contours" or "Job" or "Program" or "Plots" or "Table") || Desk.Session.Document.Current.Drawing is null || derivation.IsCurrent) return "";
-        return derivation.IsGivenUp ? Text.Get("Tabs.PlanningCancelled") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
+        return derivation.IsCancelled ? Text.Get("Tabs.PlanningCancelled") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
     }
 
-    private void Look()
+    private void Refresh()
     {
-        Tell(nameof(Title));
-        _alarms.Waiting = Desk.Session.Machine.Alarms.All.Count(alarm => alarm.NeedsAcknowledging);
+        OnPropertyChanged(nameof(Title));
+        _alarms.PendingCount = Desk.Session.Machine.Alarms.All.Count(alarm => alarm.NeedsAcknowledging);
     }
 }

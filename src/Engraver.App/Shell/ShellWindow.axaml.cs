@@ -30,30 +30,30 @@ public partial class ShellWindow : Window
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();
-        DataContext = Model = new ShellModel(desk, ActOf);
+        DataContext = Model = new ShellModel(desk, CommandOfEntry);
         _guard = new ClosingGuard(desk, Model.Files, Close);
-        var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf, new RecentMenu(Model.Recent, Model.StartPage.OpenRecent, ActOf("RECENT")));
+        var menus = new MenuBuilder(name => MenuTitle.ShortestInput(desk.Session, name), CommandOfEntry, new RecentMenu(Model.Recent, Model.StartPage.OpenRecent, CommandOfEntry("RECENT")));
         MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
         Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
-        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
+        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.SetCursor, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);
         _panels = new PanelSizes(desk, Middle, Rows, Columns, Pages, Palettes);
-        OpeningSize.Give(this, new Size(desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight));
+        OpeningSize.Apply(this, new Size(desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight));
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
         _ = new WindowPresence(this, desk);
         _ = new FileDrop(this, desk, Model.Files);
-        Model.Files.Refused += _panels.BringCommandLine;
-        MainMenu.Closed += GiveKeyboardBack;
+        Model.Files.Refused += _panels.ShowHistory;
+        MainMenu.Closed += ReturnFocus;
         MainMenu.AddHandler(MenuItem.SubmenuOpenedEvent, (_, e) => MenuBuilder.Fit(e.Source as MenuItem, this));
-        Pages.PageShown += (_, _) => GiveKeyboardToTerminal();
-        stopKeys.Escaped += OnHeld;
-        Closed += (_, _) => stopKeys.Escaped -= OnHeld;
-        Model.Status.PropertyChanged += (_, _) => Hint();
-        Pages.PageShown += (_, _) => Hint();
-        Palettes.PageShown += (_, _) => Hint();
+        Pages.PageShown += (_, _) => FocusTerminal();
+        stopKeys.Escaped += OnMachineHeld;
+        Closed += (_, _) => stopKeys.Escaped -= OnMachineHeld;
+        Model.Status.PropertyChanged += (_, _) => UpdateHint();
+        Pages.PageShown += (_, _) => UpdateHint();
+        Palettes.PageShown += (_, _) => UpdateHint();
         OptionsDialog.Serve(desk, Model.Options, this);
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
@@ -77,46 +77,46 @@ public partial class ShellWindow : Window
     protected override void OnClosing(WindowClosingEventArgs e)
     {
         base.OnClosing(e);
-        if (_guard.Holds(e.CloseReason))
+        if (_guard.PreventsClosing(e.CloseReason))
         {
-            if (!Model.Files.Question.IsOpen) _panels.BringCommandLine();
+            if (!Model.Files.Question.IsOpen) _panels.ShowHistory();
             e.Cancel = true;
             return;
         }
 
-        _panels.Keep();
+        _panels.Save();
         var maximised = WindowState == WindowState.Maximized;
         _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
     }
 
-    private void Hint()
+    private void UpdateHint()
     {
         Pages.Hint(Model.HintFor(Pages.Current?.Key));
         Palettes.Hint(Model.HintFor(Palettes.Current?.Key));
     }
 
     /// <summary>The command of an entry in menus and tools.</summary>
-    private Act ActOf(string name) => name switch
+    private RelayCommand CommandOfEntry(string name) => name switch
     {
-        "QUIT" => new Act(() => Close()), // also during a script or a prompt, which continues if the window stays open
-        "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
-        "Window.Pages" => new Act(() => _panels.FoldPages()),
-        "Window.Clean" => new Act(() => _panels.FoldAll()),
-        "Window.History" => new Act(() => _panels.ExpandHistory()),
-        "Window.SelectAll" => new Act(SelectAll),
-        "Window.EraseSelected" => new Act(EraseSelected),
+        "QUIT" => new RelayCommand(() => Close()), // also during a script or a prompt, which continues if the window stays open
+        "Window.Palettes" => new RelayCommand(() => _panels.FoldPalettes()),
+        "Window.Pages" => new RelayCommand(() => _panels.FoldPages()),
+        "Window.Clean" => new RelayCommand(() => _panels.FoldAll()),
+        "Window.History" => new RelayCommand(() => _panels.ExpandHistory()),
+        "Window.SelectAll" => new RelayCommand(SelectAll),
+        "Window.EraseSelected" => new RelayCommand(EraseSelected),
         "Override.FeedFaster" => Model.Machine.Faster,
         "Override.FeedSlower" => Model.Machine.Slower,
         "Override.RapidsFaster" => Model.Machine.RapidsFaster,
         "Override.RapidsSlower" => Model.Machine.RapidsSlower,
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
-        "CNCCONNECT" => new Act(AskForController),
-        _ => new Act(() => _ = _desk.Queue.RunAsync(name)),
+        "CNCCONNECT" => new RelayCommand(AskForController),
+        _ => new RelayCommand(() => _ = _desk.Queue.RunAsync(name)),
     };
 
     private void AskForController()
     {
-        if (Model.Files.WantsDialogs) Model.Connect.Open();
+        if (Model.Files.UsesDialogs) Model.Connect.Open();
         else _ = _desk.Queue.RunAsync("CNCCONNECT");
     }
 
@@ -133,32 +133,32 @@ public partial class ShellWindow : Window
     }
 
     /// <summary>Moves the focus from a closed menu to the command line.</summary>
-    private void GiveKeyboardBack(object? sender, RoutedEventArgs e)
+    private void ReturnFocus(object? sender, RoutedEventArgs e)
     {
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
     /// <summary>Moves the focus from the command line, which stays visible, to the terminal in front; what is typed is for the terminal, also before its
     /// field is laid out.</summary>
-    private void GiveKeyboardToTerminal()
+    private void FocusTerminal()
     {
         if (ShownTerminal is not { } terminal) return;
         FocusManager?.Focus(null);
-        terminal.TakeKeyboard();
+        terminal.TakeFocus();
     }
 
     /// <summary>True if a control that takes text itself has the focus: a text box, an open menu.</summary>
-    private static bool HasKeyboard(object? source) => source is TextBox or MenuItem;
+    private static bool HasTextFocus(object? source) => source is TextBox or MenuItem;
 
     /// <summary>True for a key that the focused control handles itself.</summary>
-    private static bool Uses(object? source, Key key) => HasKeyboard(source)
+    private static bool Uses(object? source, Key key) => HasTextFocus(source)
         || (source is Slider or ComboBox or ComboBoxItem && key is (Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End or Key.PageUp or Key.PageDown))
         || (source is ComboBox { IsDropDownOpen: true } or ComboBoxItem && key is (Key.Enter or Key.Space));
 
     private void OnTyped(object? sender, TextInputEventArgs e)
     {
         if (TypeOnSheet(e)) return;
-        if (HasKeyboard(e.Source) || IsSheetOpen || string.IsNullOrEmpty(e.Text)) return;
+        if (HasTextFocus(e.Source) || IsSheetOpen || string.IsNullOrEmpty(e.Text)) return;
         e.Handled = true;
         if (ShownTerminal is { } terminal && _desk.Prompt.Command is null)
         {
@@ -166,7 +166,7 @@ public partial class ShellWindow : Window
             return;
         }
 
-        _panels.BringCommandLine();
+        _panels.ShowHistory();
         CommandLine.Type(e.Text);
     }
 
@@ -175,7 +175,7 @@ public partial class ShellWindow : Window
     {
         if (e.Text is not { Length: > 0 } text || !(Model.Files.Question.IsOpen || Model.Files.Dialog.IsOpen)) return false;
         if (Model.Files.Question.IsOpen) QuestionSheet.Type(text);
-        else if (HasKeyboard(e.Source) && e.Source is not TextBox { Name: "LineBox" }) return true;
+        else if (HasTextFocus(e.Source) && e.Source is not TextBox { Name: "LineBox" }) return true;
         else FileSheet.Type(text);
         return e.Handled = true;
     }
@@ -201,10 +201,10 @@ public partial class ShellWindow : Window
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
         CloseTips();
-        if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Takes(e.Source, e.Key) || PropertiesView.Takes(e.Source, e.Key)) return;
-        if (!HasKeyboard(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
+        if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Handles(e.Source, e.Key) || PropertiesView.Handles(e.Source, e.Key)) return;
+        if (!HasTextFocus(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
         {
-            _panels.BringCommandLine();
+            _panels.ShowHistory();
             _ = CommandLine.PasteAsync();
             e.Handled = true;
             return;
@@ -224,7 +224,7 @@ public partial class ShellWindow : Window
     {
         if (ShownTerminal is { } terminal && _desk.Prompt.Command is null) return terminal.Press(key);
         if (key != Key.Space) return CommandLine.Press(key);
-        _panels.BringCommandLine();
+        _panels.ShowHistory();
         CommandLine.Type(" ");
         return true;
     }
@@ -234,25 +234,25 @@ public partial class ShellWindow : Window
     /// <returns>True if handled; false leaves it to the fields.</returns>
     private bool Tab(object? source)
     {
-        if (HasKeyboard(source) && source != CommandLine.LineBox) return ShownTerminal is not null && Pages.IsVisualAncestorOf((Visual)source!);
+        if (HasTextFocus(source) && source != CommandLine.LineBox) return ShownTerminal is not null && Pages.IsVisualAncestorOf((Visual)source!);
         if (Model.Command.HasSuggestions) CommandLine.Press(Key.Tab);
-        else TakeKeyboard();
+        else FocusCommandLine();
         return true;
     }
 
     /// <summary>Moves the focus to the command line: what is typed next arrives there.</summary>
-    private void TakeKeyboard()
+    private void FocusCommandLine()
     {
-        if (ShownTerminal is not null) _panels.BringCommandLine();
+        if (ShownTerminal is not null) _panels.ShowHistory();
         CommandLine.LineBox.Focus();
     }
 
     /// <summary>Esc has held the machine: a question that is asked during the job ends, the job does not.</summary>
-    private void OnHeld() => Dispatcher.UIThread.Post(() =>
+    private void OnMachineHeld() => Dispatcher.UIThread.Post(() =>
     {
         Model.Command.Line = "";
         _ = _desk.Queue.EndBesideAsync();
-        if (!IsSheetOpen) TakeKeyboard();
+        if (!IsSheetOpen) FocusCommandLine();
     });
 
     /// <summary>The command of a key; null for none, and for keys that edit text while a text box other than the empty command line has the
@@ -263,13 +263,13 @@ public partial class ShellWindow : Window
     private bool Escape()
     {
         Canvas.Pointing.Escape();
-        TakeKeyboard();
+        FocusCommandLine();
         return true;
     }
 
     private bool Run(string command)
     {
-        ActOf(command).Execute(null);
+        CommandOfEntry(command).Execute(null);
         return true;
     }
 }

@@ -34,14 +34,9 @@ public static class ToolColumn
     private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, DesktopModel desk, Func<string, System.Windows.Input.ICommand> act)
     {
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
-        var typed = MenuTitle.Typed(desk.Session, command);
+        var typed = MenuTitle.ShortestInput(desk.Session, command);
         var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), typed == command ? command : $"{command}, {typed}");
-        var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.Queue.RunAsync([command, .. answers]));
+        var does = answers.Length == 0 ? act(command) : new RelayCommand(() => _ = desk.Queue.RunAsync([command, .. answers]));
         return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
     }
 }
-
-/// <summary>A button of the tool column.</summary>
-/// <param name="Command">The command it runs.</param>
-/// <param name="EndsGroup">True: a separator follows.</param>
-public sealed record ToolButton(string Command, Geometry Icon, string Tip, ICommand Act, bool EndsGroup);

@@ -20,14 +20,14 @@ public static class DesktopProgram
 
     /// <summary>Maximum wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program
     /// running.</summary>
-    private static readonly TimeSpan s_longestEnd = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan s_shutdownTimeout = TimeSpan.FromSeconds(5);
 
     /// <returns>The exit code; see docs/cli-contract.md.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay or BenchmarkName.Frames)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay or BenchmarkName.Frames)) return Report(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.WithoutFiles() : DesktopSession.ForUser());
-        using var language = SpokenLanguage.Speak(SpokenLanguage.Choose(options.Culture, session.Language, options.Headless ? [] : SpokenLanguage.OfSystem()));
+        using var language = DesktopLanguage.Apply(DesktopLanguage.Choose(options.Culture, session.Language, options.Headless ? [] : DesktopLanguage.OfSystem()));
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
         {
@@ -47,16 +47,16 @@ public static class DesktopProgram
         // A thread of the program has failed and .NET is about to end the process: the machine is stopped first.
         void EndWithMachineStopped(object sender, UnhandledExceptionEventArgs e)
         {
-            if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Get("Start.Failed", session.Failures.Take(failure) ?? failure.Message));
-            session.DisposeAsync().AsTask().Wait(s_longestEnd);
+            if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Get("Start.Failed", session.Failures.Handle(failure) ?? failure.Message));
+            session.DisposeAsync().AsTask().Wait(s_shutdownTimeout);
         }
     }
 
     private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
     {
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), Cancel);
-        var failure = DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options), options.Benchmark is null ? null : DesktopBenchmark.TellFirstFrame);
-        return signals.Came ? Stopped : Said(failure, error);
+        var failure = DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options), options.Benchmark is null ? null : DesktopBenchmark.ReportFirstFrame);
+        return signals.WasReceived ? Stopped : Report(failure, error);
 
         void Cancel()
         {
@@ -65,7 +65,7 @@ public static class DesktopProgram
     }
 
     /// <returns>The exit code for a failure; null is success.</returns>
-    private static int Said(string? failure, TextWriter error)
+    private static int Report(string? failure, TextWriter error)
     {
         if (failure is not { } failed) return Done;
         error.WriteLine(Text.Get("Start.Failed", failed));
@@ -85,7 +85,7 @@ public static class DesktopProgram
             while (!window.CanvasSource.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasSource.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
             await DesktopBenchmark.MeasureAsync(options.Benchmark, session, window, options.File, Console.Out);
-            if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
+            if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.SavePicture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));
         return lifetime.Start([]);

@@ -18,7 +18,7 @@ internal sealed class EndSignals : IDisposable
     }
 
     /// <summary>True after a signal has been received.</summary>
-    public bool Came { get; private set; }
+    public bool WasReceived { get; private set; }
 
     public void Dispose()
     {
@@ -28,7 +28,7 @@ internal sealed class EndSignals : IDisposable
     private void OnSignal(PosixSignalContext signal)
     {
         signal.Cancel = true;
-        Came = true;
+        WasReceived = true;
         _stop();
         _end();
     }

@@ -9,13 +9,13 @@ public sealed class RecentDrawings
 {
     private readonly DesktopModel _desk;
     private IReadOnlyList<string> _paths = [];
-    private int _asking;
+    private int _checking;
 
     public RecentDrawings(DesktopModel desk)
     {
         _desk = desk;
-        desk.Notifications.Changed += Look;
-        Look();
+        desk.Notifications.Changed += UpdateList;
+        UpdateList();
     }
 
     /// <summary>Raised when the list or the state of a file has changed.</summary>
@@ -25,71 +25,46 @@ public sealed class RecentDrawings
     public IReadOnlyList<RecentDrawing> All { get; private set; } = [];
 
     /// <summary>Files are being checked.</summary>
-    internal bool IsAsking => _asking > 0;
+    internal bool IsChecking => _checking > 0;
 
     /// <summary>Checks again which files exist.</summary>
-    public void Refresh() => _ = AskAsync(_paths);
+    public void Refresh() => _ = CheckFilesAsync(_paths);
 
     public void Remove(RecentDrawing gone)
     {
         ArgumentNullException.ThrowIfNull(gone);
         _desk.Session.Settings.Change(settings => settings.WithoutRecent(gone.Path));
-        Look();
+        UpdateList();
     }
 
-    private void Look()
+    private void UpdateList()
     {
         var paths = _desk.Session.Settings.Current.RecentFiles;
         if (ReferenceEquals(paths, _paths)) return;
         _paths = paths;
         var known = All.ToDictionary(drawing => drawing.Path);
-        Take([.. paths.Distinct().Select(path => known.GetValueOrDefault(path) ?? new RecentDrawing(path, null, false))]);
+        Apply([.. paths.Distinct().Select(path => known.GetValueOrDefault(path) ?? new RecentDrawing(path, null, false))]);
         Refresh();
     }
 
-    private async Task AskAsync(IReadOnlyList<string> paths)
+    private async Task CheckFilesAsync(IReadOnlyList<string> paths)
     {
-        _asking++;
+        _checking++;
         try
         {
             var found = await Task.Run(() => paths.Distinct().Select(RecentDrawing.Of).ToList());
-            if (ReferenceEquals(paths, _paths)) Take(found);
+            if (ReferenceEquals(paths, _paths)) Apply(found);
         }
         finally
         {
-            _asking--;
+            _checking--;
         }
     }
 
-    private void Take(IReadOnlyList<RecentDrawing> drawings)
+    private void Apply(IReadOnlyList<RecentDrawing> drawings)
     {
         if (drawings.SequenceEqual(All)) return;
         All = drawings;
         Changed?.Invoke();
-    }
-}
-
-/// <summary>A recent drawing.</summary>
-/// <param name="Path">Full path.</param>
-/// <param name="Changed">Time of the last change of its file, local time; null if unknown.</param>
-/// <param name="IsGone">The file no longer exists.</param>
-public sealed record RecentDrawing(string Path, DateTime? Changed, bool IsGone)
-{
-    public string Name => TextCatalogue.Fact(System.IO.Path.GetFileName(Path));
-
-    public string Folder => TextCatalogue.Fact(System.IO.Path.GetDirectoryName(Path) ?? "");
-
-    public string Tip => TextCatalogue.Fact(Path);
-
-    public bool IsThere => !IsGone;
-
-    /// <summary>The time of the last change, or that the file is missing.</summary>
-    public string Date => IsGone ? Text.Get("StartPage.NotFound") : Changed is { } date ? Text.Get("Files.Date", date) : "";
-
-    /// <summary>Reads the present state of the file; for a thread of the pool.</summary>
-    public static RecentDrawing Of(string path)
-    {
-        var file = new FileInfo(path);
-        return file.Exists ? new RecentDrawing(path, file.LastWriteTime, false) : new RecentDrawing(path, null, true);
     }
 }

@@ -9,9 +9,9 @@ namespace Engraver.App.StartPage;
 
 /// <summary>The start page on the empty canvas: the recent drawings, and the samples. It is hidden when there is a drawing, or when a command requests a
 /// point on the canvas.</summary>
-public sealed class StartPageModel : Observable
+public sealed class StartPageModel : ObservableObject
 {
-    private const int MostSamples = 12;
+    private const int MaxSamples = 12;
     private readonly DesktopModel _desk;
     private readonly FileQuestions _files;
     private readonly RecentDrawings _recent;
@@ -21,25 +21,25 @@ public sealed class StartPageModel : Observable
     public StartPageModel(DesktopModel desk, FileQuestions files, RecentDrawings recent, System.Windows.Input.ICommand open)
     {
         (_desk, _files, _recent, Open) = (desk, files, recent, open);
-        OpenRecent = new Act(drawing => Take((RecentDrawing)drawing!));
-        OpenSample = new Act(sample => _ = files.OpenAsync(((FilePlace)sample!).Path));
-        Remove = new Act(drawing => recent.Remove((RecentDrawing)drawing!));
-        desk.Notifications.Changed += Look;
-        recent.Changed += () => Tell(null);
-        Look();
+        OpenRecent = new RelayCommand(drawing => OpenRecentDrawing((RecentDrawing)drawing!));
+        OpenSample = new RelayCommand(sample => _ = files.OpenAsync(((FilePlace)sample!).Path));
+        Remove = new RelayCommand(drawing => recent.Remove((RecentDrawing)drawing!));
+        desk.Notifications.Changed += Refresh;
+        recent.Changed += () => OnPropertyChanged(null);
+        Refresh();
         _ = FindSamplesAsync();
     }
 
     public System.Windows.Input.ICommand Open { get; }
 
     /// <summary>Opens a drawing, the parameter; a missing one is reported.</summary>
-    public Act OpenRecent { get; }
+    public RelayCommand OpenRecent { get; }
 
     /// <summary>Opens a sample, the parameter.</summary>
-    public Act OpenSample { get; }
+    public RelayCommand OpenSample { get; }
 
     /// <summary>Removes a drawing, the parameter, from the list.</summary>
-    public Act Remove { get; }
+    public RelayCommand Remove { get; }
 
     public IReadOnlyList<RecentDrawing> Recent => _recent.All;
 
@@ -52,12 +52,12 @@ public sealed class StartPageModel : Observable
     public bool IsShown
     {
         get => _isShown;
-        private set => Set(ref _isShown, value);
+        private set => SetProperty(ref _isShown, value);
     }
 
-    internal void Take(RecentDrawing drawing)
+    internal void OpenRecentDrawing(RecentDrawing drawing)
     {
-        if (drawing.IsGone)
+        if (drawing.IsMissing)
         {
             _desk.Notifications.Say(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
             return;
@@ -66,9 +66,9 @@ public sealed class StartPageModel : Observable
         _ = _files.OpenAsync(drawing.Path);
     }
 
-    private void Look()
+    private void Refresh()
     {
-        var shown = _desk.Session.Document.Current.Drawing is null && _desk.Prompt.Aim is null;
+        var shown = _desk.Session.Document.Current.Drawing is null && _desk.Prompt.PointRequest is null;
         if (shown && !_isShown) _recent.Refresh();
         IsShown = shown;
     }
@@ -76,13 +76,13 @@ public sealed class StartPageModel : Observable
     private async Task FindSamplesAsync()
     {
         Samples = await Task.Run(Find);
-        Tell(nameof(Samples));
-        Tell(nameof(HasSamples));
+        OnPropertyChanged(nameof(Samples));
+        OnPropertyChanged(nameof(HasSamples));
     }
 
     private static List<FilePlace> Find()
     {
         if (SampleFolder.Find() is not { } folder) return [];
-        return [.. Directory.EnumerateFiles(folder, "*.dxf").Order(StringComparer.Ordinal).Take(MostSamples).Select(path => new FilePlace(TextCatalogue.Fact(Path.GetFileNameWithoutExtension(path)), path, true))];
+        return [.. Directory.EnumerateFiles(folder, "*.dxf").Order(StringComparer.Ordinal).Take(MaxSamples).Select(path => new FilePlace(TextCatalogue.Fact(Path.GetFileNameWithoutExtension(path)), path, true))];
     }
 }

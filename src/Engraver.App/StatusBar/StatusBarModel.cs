@@ -7,10 +7,10 @@ using Engraver.Workbench.Commands.Settings;
 namespace Engraver.App.StatusBar;
 
 /// <summary>The line at the bottom: coordinates, drafting switches, the settings that determine accuracy, profile and link.</summary>
-public sealed class StatusBarModel : Observable
+public sealed class StatusBarModel : ObservableObject
 {
     private readonly DesktopModel _desk;
-    private readonly LongWork _work;
+    private readonly LongOperation _operation;
     private string _coordinates = "";
     private Point2D _place;
 
@@ -18,9 +18,9 @@ public sealed class StatusBarModel : Observable
     {
         _desk = desk;
         Switches = StatusSwitch.All(desk);
-        _work = new LongWork(desk, Look);
-        desk.Notifications.Changed += Look;
-        Point(Point2D.Origin);
+        _operation = new LongOperation(desk, Refresh);
+        desk.Notifications.Changed += Refresh;
+        SetCursor(Point2D.Origin);
     }
 
     public IReadOnlyList<StatusSwitch> Switches { get; }
@@ -28,18 +28,18 @@ public sealed class StatusBarModel : Observable
     public string Coordinates
     {
         get => _coordinates;
-        private set => Set(ref _coordinates, value);
+        private set => SetProperty(ref _coordinates, value);
     }
 
     /// <summary>The long operation, its progress, and how it is ended; empty for none.</summary>
-    public string Progress => _work.Text;
+    public string Progress => _operation.Text;
 
-    public bool IsWorking => _work.IsShown;
+    public bool IsWorking => _operation.IsShown;
 
     /// <summary>The progress is unknown.</summary>
-    public bool IsEndless => _work.Fraction is null;
+    public bool IsIndeterminate => _operation.Fraction is null;
 
-    public double Fraction => _work.Fraction ?? 0.0;
+    public double Fraction => _operation.Fraction ?? 0.0;
 
     /// <summary>Of the drawing, and so of the coordinates; tolerances are always in millimetres.</summary>
     public string Unit => Text.Get("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Get("Status.Millimetres"));
@@ -53,25 +53,25 @@ public sealed class StatusBarModel : Observable
     public string Link => _desk.Session.Machine.Connection.Description ?? Text.Get("Status.NotConnected");
 
     /// <summary>The cursor has moved to a point of the drawing.</summary>
-    public void Point(Point2D place)
+    public void SetCursor(Point2D place)
     {
         var figures = _desk.Session.Settings.Current.Figures();
-        (_place, Coordinates) = (place, $"{figures.MovingLength(place.X)}, {figures.MovingLength(place.Y)}");
+        (_place, Coordinates) = (place, $"{figures.FormatCursorLength(place.X)}, {figures.FormatCursorLength(place.Y)}");
     }
 
-    private void Look()
+    private void Refresh()
     {
-        Point(_place);
-        _work.Look();
-        Tell(nameof(IsWorking));
-        Tell(nameof(IsEndless));
-        Tell(nameof(Progress));
-        Tell(nameof(Fraction));
-        Tell(nameof(Unit));
-        Tell(nameof(JoinTolerance));
-        Tell(nameof(MaxError));
-        Tell(nameof(Profile));
-        Tell(nameof(Link));
-        foreach (var toggle in Switches) toggle.Look();
+        SetCursor(_place);
+        _operation.Refresh();
+        OnPropertyChanged(nameof(IsWorking));
+        OnPropertyChanged(nameof(IsIndeterminate));
+        OnPropertyChanged(nameof(Progress));
+        OnPropertyChanged(nameof(Fraction));
+        OnPropertyChanged(nameof(Unit));
+        OnPropertyChanged(nameof(JoinTolerance));
+        OnPropertyChanged(nameof(MaxError));
+        OnPropertyChanged(nameof(Profile));
+        OnPropertyChanged(nameof(Link));
+        foreach (var toggle in Switches) toggle.Refresh();
     }
 }

@@ -8,7 +8,7 @@ namespace Engraver.App.StatusBar;
 /// <summary>One drafting switch; a click runs its command.</summary>
 /// <param name="name">The displayed name.</param>
 /// <param name="command">The command that switches it.</param>
-public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, DesktopModel desk) : Observable
+public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, DesktopModel desk) : ObservableObject
 {
     public string Name => name;
 
@@ -19,7 +19,7 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
 
     public bool IsOn => isOn(desk.Session.View.Current);
 
-    public Act Switch { get; } = new(() => _ = desk.Queue.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
+    public RelayCommand Switch { get; } = new(() => _ = desk.Queue.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
 
     /// <summary>The switches of the status bar, with AutoCAD's names.</summary>
     public static IReadOnlyList<StatusSwitch> All(DesktopModel desk) =>
@@ -32,5 +32,5 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
         new("DYN", "DYNAMICINPUT", view => view.DynamicInput, desk),
     ];
 
-    public void Look() => Tell(nameof(IsOn));
+    public void Refresh() => OnPropertyChanged(nameof(IsOn));
 }

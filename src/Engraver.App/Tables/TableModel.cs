@@ -4,12 +4,12 @@ using Engraver.Core.EntityTables;
 namespace Engraver.App.Tables;
 
 /// <summary>The entity table in sequence order; any length.</summary>
-public sealed class TableModel : FollowedRows<TableRow>
+public sealed class TableModel : PlaybackRows<TableRow>
 {
     private EntityTable? _table;
 
     public TableModel(DesktopModel desk)
-        : base(desk, () => desk.Derived.RowUnderTool, desk.Derived.MoveToRow, row => row.Index) => Follow();
+        : base(desk, () => desk.Derived.RowUnderTool, desk.Derived.MoveToRow, row => row.Index) => Subscribe();
 
     /// <summary>Shows a table of any length.</summary>
     internal void Show(EntityTable? table)
@@ -18,7 +18,7 @@ public sealed class TableModel : FollowedRows<TableRow>
         Show(table?.Count ?? 0, index => new TableRow(table!, index));
     }
 
-    protected override void Look()
+    protected override void Refresh()
     {
         var table = Desk.Derived.Sequence?.Table;
         if (!ReferenceEquals(table, _table)) Show(table);

@@ -10,7 +10,7 @@ namespace Engraver.App.Tabs;
 /// <summary>Pages behind a strip of tabs. A page is created when first shown, and kept.</summary>
 public partial class PageTabs : UserControl
 {
-    private Control? _seen;
+    private Control? _visiblePage;
 
     public PageTabs()
     {
@@ -19,7 +19,7 @@ public partial class PageTabs : UserControl
     }
 
     /// <summary>Raised when the fold button was pressed, or a tab of a folded panel; the shell folds or opens the panel.</summary>
-    public event EventHandler? FoldWanted;
+    public event EventHandler? FoldRequested;
 
     /// <summary>A page came to the front.</summary>
     public event EventHandler? PageShown;
@@ -46,7 +46,7 @@ public partial class PageTabs : UserControl
     public void ShowFolded(bool folded, string openIcon, string foldIcon)
     {
         Shown.IsVisible = !folded;
-        See(_seen);
+        SetVisiblePage(_visiblePage);
         FoldIcon.Data = (Geometry)Application.Current!.FindResource(folded ? openIcon : foldIcon)!;
     }
 
@@ -61,24 +61,24 @@ public partial class PageTabs : UserControl
         if (Current is not { } page) return;
         Shown.Content = page.Page;
         FoldedText.Text = page.Title;
-        See(page.Page);
+        SetVisiblePage(page.Page);
         PageShown?.Invoke(this, EventArgs.Empty);
     }
 
     /// <summary>Notifies the page in front that it is visible, unless the panel is folded, and the previous page that it is not.</summary>
-    private void See(Control? page)
+    private void SetVisiblePage(Control? page)
     {
-        if (!ReferenceEquals(page, _seen) && _seen?.DataContext is ISeen hidden) hidden.IsSeen = false;
-        _seen = page;
-        if (page?.DataContext is ISeen shown) shown.IsSeen = Shown.IsVisible;
+        if (!ReferenceEquals(page, _visiblePage) && _visiblePage?.DataContext is IVisibilityAware hidden) hidden.IsPageVisible = false;
+        _visiblePage = page;
+        if (page?.DataContext is IVisibilityAware shown) shown.IsPageVisible = Shown.IsVisible;
     }
 
     private void OnTabClick(object? sender, PointerReleasedEventArgs e)
     {
         if (!IsFolded || e.Handled || (e.Source as Control)?.DataContext is not PageTab) return;
         e.Handled = true;
-        FoldWanted?.Invoke(this, EventArgs.Empty);
+        FoldRequested?.Invoke(this, EventArgs.Empty);
     }
 
-    private void OnFold(object? sender, RoutedEventArgs e) => FoldWanted?.Invoke(this, EventArgs.Empty);
+    private void OnFold(object? sender, RoutedEventArgs e) => FoldRequested?.Invoke(this, EventArgs.Empty);
 }

@@ -8,7 +8,7 @@ using Engraver.Workbench.Machines.Terminals;
 namespace Engraver.App.Terminals;
 
 /// <summary>The conversation with the controller, line by line.</summary>
-public sealed class TerminalModel : Observable
+public sealed class TerminalModel : ObservableObject
 {
     private readonly DesktopModel _desk;
     private string _line = "";
@@ -18,7 +18,7 @@ public sealed class TerminalModel : Observable
     {
         _desk = desk;
         Terminal.Changed += (_, _) => Post();
-        Look();
+        Refresh();
     }
 
     /// <summary>Inputs and replies, oldest first.</summary>
@@ -27,7 +27,7 @@ public sealed class TerminalModel : Observable
     public string Line
     {
         get => _line;
-        set => Set(ref _line, value ?? "");
+        set => SetProperty(ref _line, value ?? "");
     }
 
     private LiveTerminal Terminal => _desk.Session.Machine.Connection.Terminal;
@@ -43,20 +43,20 @@ public sealed class TerminalModel : Observable
         }
         catch (ControllerException)
         {
-            Look();
+            Refresh();
         }
     }
 
     private void Post()
     {
-        if (Interlocked.Exchange(ref _waiting, 1) == 0) Dispatcher.UIThread.Post(Look, DispatcherPriority.Input);
+        if (Interlocked.Exchange(ref _waiting, 1) == 0) Dispatcher.UIThread.Post(Refresh, DispatcherPriority.Input);
     }
 
-    private void Look()
+    private void Refresh()
     {
         Volatile.Write(ref _waiting, 0);
         Rows = [.. Terminal.Lines.SelectMany(TerminalRow.From)];
-        Tell(nameof(Rows));
+        OnPropertyChanged(nameof(Rows));
     }
 }
 

@@ -11,7 +11,7 @@ public partial class TerminalView : UserControl
     /// <summary>Text that was typed elsewhere while this page is in front.</summary>
     public void Type(string text)
     {
-        TakeKeyboard();
+        TakeFocus();
         if (DataContext is TerminalModel model) model.Line += text;
         LineBox.CaretIndex = LineBox.Text?.Length ?? 0;
     }
@@ -21,12 +21,12 @@ public partial class TerminalView : UserControl
     public bool Press(Key key)
     {
         if (key == Key.Space) Type(" ");
-        else if (key == Key.Enter) TakeKeyboard(); // what is sent must be visible in the focused line
+        else if (key == Key.Enter) TakeFocus(); // what is sent must be visible in the focused line
         else return false;
         return true;
     }
 
-    public void TakeKeyboard() => LineBox.Focus();
+    public void TakeFocus() => LineBox.Focus();
 
     private async void OnKey(object? sender, KeyEventArgs e)
     {

@@ -7,7 +7,7 @@ using Engraver.Workbench.Sidecars;
 namespace Engraver.App.Trajectories;
 
 /// <summary>The trajectories of the document, each with its figures and editable values.</summary>
-public sealed class TrajectoriesModel : Observable
+public sealed class TrajectoriesModel : ObservableObject
 {
     private readonly DesktopModel _desk;
     private (TrajectoryList? List, Drawing? Drawing) _shown;
@@ -15,11 +15,11 @@ public sealed class TrajectoriesModel : Observable
     public TrajectoriesModel(DesktopModel desk)
     {
         _desk = desk;
-        Export = new Act(() => _ = desk.Queue.RunAsync("SACEEXPORTTRAJECTORIES"));
-        Update = new Act(() => _ = desk.Queue.RunAsync("SACEUPDATETRAJECTORIES"));
-        DeleteAll = new Act(() => _ = desk.Queue.RunAsync("SACEDELETEALLTRAJECTORIES"));
-        desk.Notifications.Changed += Look;
-        Look();
+        Export = new RelayCommand(() => _ = desk.Queue.RunAsync("SACEEXPORTTRAJECTORIES"));
+        Update = new RelayCommand(() => _ = desk.Queue.RunAsync("SACEUPDATETRAJECTORIES"));
+        DeleteAll = new RelayCommand(() => _ = desk.Queue.RunAsync("SACEDELETEALLTRAJECTORIES"));
+        desk.Notifications.Changed += Refresh;
+        Refresh();
     }
 
     public IReadOnlyList<TrajectoryRow> Rows { get; private set; } = [];
@@ -32,14 +32,14 @@ public sealed class TrajectoriesModel : Observable
     /// <summary>Objects of some trajectories were edited since these were created.</summary>
     public bool HasStale => Rows.Any(row => row.IsStale);
 
-    public Act Export { get; }
+    public RelayCommand Export { get; }
 
     /// <summary>Recreates those whose objects were edited.</summary>
-    public Act Update { get; }
+    public RelayCommand Update { get; }
 
-    public Act DeleteAll { get; }
+    public RelayCommand DeleteAll { get; }
 
-    private void Look()
+    private void Refresh()
     {
         var (list, drawing) = (_desk.Session.Document.Current.Sidecar.Trajectories, _desk.Session.Document.Current.Drawing);
         if (ReferenceEquals(list, _shown.List) && (ReferenceEquals(drawing, _shown.Drawing) || list.All.Count == 0)) return;
@@ -48,14 +48,14 @@ public sealed class TrajectoriesModel : Observable
         var isSame = ReferenceEquals(list, _shown.List) && stale.SequenceEqual(Rows.Select(row => row.IsStale));
         _shown = (list, drawing);
         if (isSame) return; // keeps the text that is being typed into a field
-        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, Anew) { IsStale = stale[index] })];
+        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, UpdateStale) { IsStale = stale[index] })];
         Summary = Text.Get(list.Settings.DynamicDensity ? "Trajectories.Dynamic" : "Trajectories.Uniform", list.All.Sum(one => one.Curve.Points), list.Settings.DynamicDensity ? list.Settings.MaxErrorMm : list.Settings.SegmentLengthMm);
-        Tell(null);
+        OnPropertyChanged(null);
     }
 
-    private void Anew()
+    private void UpdateStale()
     {
         _shown = default;
-        Look();
+        Refresh();
     }
 }

@@ -20,7 +20,7 @@ internal static class ConnectOption
             return null;
         }
 
-        if (MachineFamilies.Standard.At(address, profile: null).WhyNot(address) is { } why) result.AddError(Wording.Get("ConnectOption.Connect", why));
+        if (MachineFamilies.Standard.At(address, profile: null).RefusalOf(address) is { } why) result.AddError(Wording.Get("ConnectOption.Connect", why));
         return address;
     }
 }

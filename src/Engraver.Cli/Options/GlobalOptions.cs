@@ -32,7 +32,7 @@ internal sealed class GlobalOptions
     public bool Verbose(ParseResult parsed) => parsed.GetValue(_verbose);
 
     /// <summary>The same for whoever has only the parsed line.</summary>
-    public static bool WantsOnlyErrors(ParseResult parsed) => parsed.RootCommandResult.Command.Options.OfType<Option<bool>>().Any(option => option.Name == QuietName && parsed.GetValue(option));
+    public static bool IsErrorsOnly(ParseResult parsed) => parsed.RootCommandResult.Command.Options.OfType<Option<bool>>().Any(option => option.Name == QuietName && parsed.GetValue(option));
 
     /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when
     /// there is none, or none that is known.</summary>

@@ -14,7 +14,7 @@ internal static class OptionValue
     public static double AnyNumber(ArgumentResult result) => Number(result, _ => true, Wording.Get("OptionValue.AnyNumber"));
 
     /// <summary>A whole number from 1 to a million.</summary>
-    public static double WholeNumberFromOne(ArgumentResult result) => Number(result, value => value is >= 1.0 and <= 1e6 && value == Math.Floor(value), Wording.Get("OptionValue.WholeNumberFromOne"));
+    public static double IntegerFromOne(ArgumentResult result) => Number(result, value => value is >= 1.0 and <= 1e6 && value == Math.Floor(value), Wording.Get("OptionValue.WholeNumberFromOne"));
 
     public static double NumberFromOne(ArgumentResult result) => Number(result, value => value >= 1.0, Wording.Get("OptionValue.NumberFromOne"));
 
@@ -30,17 +30,17 @@ internal static class OptionValue
     /// <summary>Degrees above 0 and below 90.</summary>
     public static double RampAngle(ArgumentResult result) => Number(result, value => value is > 0.0 and < 90.0, Wording.Get("OptionValue.RampAngle"));
 
-    private static double Number(ArgumentResult result, Func<string, Reading<double>> read)
+    private static double Number(ArgumentResult result, Func<string, ParsedInput<double>> read)
     {
         var reading = read(result.Tokens[0].Value);
-        if (reading is Reading<double>.Wrong wrong) result.AddError($"{Name(result)}: {wrong.Sentence}");
-        return reading is Reading<double>.Value value ? value.Of : double.NaN;
+        if (reading is ParsedInput<double>.Invalid wrong) result.AddError($"{Name(result)}: {wrong.Message}");
+        return reading is ParsedInput<double>.Value value ? value.Result : double.NaN;
     }
 
     private static double Number(ArgumentResult result, Func<double, bool> allowed, string wanted)
     {
         var word = result.Tokens[0].Value;
-        if (NumberPrompt.TryNumber(word, out var value) && Math.Abs(value) <= TypedNumber.Largest && allowed(value)) return value;
+        if (NumberPrompt.TryParse(word, out var value) && Math.Abs(value) <= TypedNumber.Largest && allowed(value)) return value;
         result.AddError(Wording.Get("OptionValue.Invalid", Name(result), word, wanted));
         return double.NaN;
     }

@@ -24,13 +24,13 @@ internal sealed class PlacementOptions
         command.Options.Add(_origin);
     }
 
-    public OriginRequest Origin(ParseResult parsed) => parsed.GetValue(_origin) ?? new OriginRequest.Work();
+    public OriginRequest Origin(ParseResult parsed) => parsed.GetValue(_origin) ?? new OriginRequest.ActiveOrigin();
 
     /// <summary>Whether the work origin was asked for by name, and is not just the default.</summary>
-    public bool AsksForWork(ParseResult parsed) => parsed.GetResult(_origin) is { Implicit: false } && Origin(parsed) is OriginRequest.Work;
+    public bool RequestsWorkOrigin(ParseResult parsed) => parsed.GetResult(_origin) is { Implicit: false } && Origin(parsed) is OriginRequest.ActiveOrigin;
 
     /// <summary>The name of this process for another host that wants the machine meanwhile.</summary>
-    public static string Holder => MachineHolder.Describe("engraver", TimeProvider.System);
+    public static string OwnerName => LeaseOwner.Describe("engraver", TimeProvider.System);
 
     /// <summary>The origins of the operator's machines; a simulated one ends with this process, and nothing is kept of it.</summary>
     public static MachineMemories Memories(ControllerAddress address) => new(address is SimulatedAddress ? null : MachineMemories.FolderIn(null));
@@ -38,14 +38,14 @@ internal sealed class PlacementOptions
     private static OriginRequest ParseOrigin(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
-        if (word == "work") return new OriginRequest.Work();
-        if (word == "here") return new OriginRequest.PresentPlace();
-        if (TryPlace(word) is { } place) return new OriginRequest.Given(place);
+        if (word == "work") return new OriginRequest.ActiveOrigin();
+        if (word == "here") return new OriginRequest.PresentPosition();
+        if (TryParsePosition(word) is { } place) return new OriginRequest.MachinePoint(place);
         result.AddError(Wording.Get("Placement.InvalidOrigin", word));
-        return new OriginRequest.Work();
+        return new OriginRequest.ActiveOrigin();
     }
 
     /// <summary>A place typed as X,Y, mm; null when the text is none.</summary>
-    internal static Point2D? TryPlace(string word) =>
-        word.Split(',') is [var first, var second] && NumberPrompt.TryNumber(first, out var x) && NumberPrompt.TryNumber(second, out var y) && double.IsFinite(x) && double.IsFinite(y) ? new Point2D(x, y) : null;
+    internal static Point2D? TryParsePosition(string word) =>
+        word.Split(',') is [var first, var second] && NumberPrompt.TryParse(first, out var x) && NumberPrompt.TryParse(second, out var y) && double.IsFinite(x) && double.IsFinite(y) ? new Point2D(x, y) : null;
 }

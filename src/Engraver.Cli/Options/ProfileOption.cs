@@ -17,6 +17,6 @@ internal static class ProfileOption
     /// <summary>Prints the findings of a file on standard error, unless only errors are requested.</summary>
     public static Action<string, Diagnostic> Warnings(ParseResult parsed) => (path, finding) =>
     {
-        if (!GlobalOptions.WantsOnlyErrors(parsed)) parsed.InvocationConfiguration.Error.WriteLine(DiagnosticLine.Format(path, SettingWording.OnConsole(finding)));
+        if (!GlobalOptions.IsErrorsOnly(parsed)) parsed.InvocationConfiguration.Error.WriteLine(DiagnosticLine.Format(path, SettingWording.OnConsole(finding)));
     };
 }

@@ -14,12 +14,12 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(PocketJson))]
 [JsonSerializable(typeof(PostJson))]
 [JsonSerializable(typeof(RunJson))]
-[JsonSerializable(typeof(TrajectoryJson))]
+[JsonSerializable(typeof(TrajectoryListJson))]
 [JsonSerializable(typeof(VerifyJson))]
 [JsonSerializable(typeof(StatusJson))]
 [JsonSerializable(typeof(DiscoverJson))]
 [JsonSerializable(typeof(CertificateCheckJson))]
-[JsonSerializable(typeof(HistoryJson))]
+[JsonSerializable(typeof(HistoryListJson))]
 [JsonSerializable(typeof(ReplayJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {

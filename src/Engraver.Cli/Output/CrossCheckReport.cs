@@ -24,7 +24,7 @@ internal static class CrossCheckReport
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            error.WriteLine(Wording.Get("CrossCheckReport.CannotReread", read.FileName, SystemReason.Of(unreadable)));
+            error.WriteLine(Wording.Get("CrossCheckReport.CannotReread", read.FileName, SystemErrorText.FromException(unreadable)));
         }
 
         return false;

@@ -8,8 +8,8 @@ namespace Engraver.Cli.Output;
 internal static class DiagnosticPrinter
 {
     /// <summary>Prints those of at least the given severity, worst first, otherwise in the order found.</summary>
-    public static void Print(TextWriter error, string file, IEnumerable<Diagnostic> diagnostics, Severity least)
+    public static void Print(TextWriter error, string file, IEnumerable<Diagnostic> diagnostics, Severity minSeverity)
     {
-        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= least).OrderByDescending(d => d.Severity)) error.WriteLine(DiagnosticLine.Format(file, SettingWording.OnConsole(diagnostic)));
+        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= minSeverity).OrderByDescending(d => d.Severity)) error.WriteLine(DiagnosticLine.Format(file, SettingWording.OnConsole(diagnostic)));
     }
 }

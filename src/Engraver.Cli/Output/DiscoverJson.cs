@@ -9,7 +9,7 @@ internal sealed record DiscoverJson(IReadOnlyList<DiscoverJson.FoundJson> Contro
 {
     public static DiscoverJson From(IReadOnlyList<DiscoveredController> asked) => new(
         [.. asked.Where(one => one.Model is not null).Select(one => new FoundJson(one.Address, one.Model!, one.Serial))],
-        [.. asked.Where(one => one.Model is null).Select(one => new SilentJson(one.Address, one.WhyNot!))]);
+        [.. asked.Where(one => one.Model is null).Select(one => new SilentJson(one.Address, one.Failure!))]);
 
     internal sealed record FoundJson(string Address, string Model, long? Serial);
 

@@ -40,5 +40,5 @@ internal static class InfoReport
 
     private static IReadOnlyList<InfoJson.RefusedJson> Refused(IReadOnlyList<RefusedEntity> entities) => [.. entities.Select(InfoJson.RefusedJson.From)];
 
-    private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
+    private static int Records(ReadBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 }

@@ -16,7 +16,7 @@ internal static class ProgressBar
     }
 
     public static Task<T> OfSendingAsync<T>(bool quiet, int lines, Func<IProgress<SendProgress>?, Task<T>> send) =>
-        ShowAsync(quiet, Wording.Get("SendProgressBar.Sending"), lines, send, progress => (progress.Lines, Wording.Get("SendProgressBar.Lines", progress.Lines, progress.AllLines)));
+        ShowAsync(quiet, Wording.Get("SendProgressBar.Sending"), lines, send, progress => (progress.Lines, Wording.Get("SendProgressBar.Lines", progress.Lines, progress.TotalLines)));
 
     public static Task<T> OfVerificationAsync<T>(bool quiet, Func<IProgress<ReplayProgress>?, Task<T>> verify) =>
         ShowAsync(quiet, Wording.Get("VerifyProgressBar.Reading"), 1.0, verify, progress =>

@@ -12,7 +12,7 @@ namespace Engraver.Cli.Output;
 internal static class RunReport
 {
     public static RunJson Json(PreparedJob job, MachineRunReport report, string journal, ArmingChecklist? checks) => new(
-        Outcome: OutcomeText.Word(report.Result.Outcome),
+        Outcome: OutcomeText.Token(report.Result.Outcome),
         SegmentsSent: report.Result.SegmentsSent,
         SegmentsExecuted: report.Result.SegmentsExecuted,
         Seconds: report.Result.Seconds,
@@ -43,7 +43,7 @@ internal static class RunReport
     /// <param name="checks">The start checks, as far as they were run.</param>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
     public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome, ArmingChecklist? checks = null) => new(
-        Outcome: OutcomeText.Word(outcome),
+        Outcome: OutcomeText.Token(outcome),
         SegmentsSent: 0,
         SegmentsExecuted: 0,
         Seconds: 0.0,
@@ -70,7 +70,7 @@ internal static class RunReport
         : null;
 
     /// <summary>The length of an entity that cannot be read is unknown.</summary>
-    private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
+    private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.RefusedCount(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
     private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X.CountsPerMillimetre, settings.Machine.Scale.Y.CountsPerMillimetre);
 }

@@ -36,13 +36,13 @@ internal sealed record StatusJson(
     [JsonIgnore]
     public Diagnostic? OriginMissing { get; private init; }
 
-    public static StatusJson From(MachineStatus status, MachineMemory? memory, MachineProfile profile)
+    public static StatusJson From(MachineStatus status, StoredMachineState? memory, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(status);
         ArgumentNullException.ThrowIfNull(profile);
         var (active, isKnown) = (memory?.Active ?? WorkOriginNames.First, status.OriginMissing is null);
         return new StatusJson(
-            status.State.Word(),
+            status.State.Token(),
             Homed: status.IsHomed == true,
             new PlaceJson(status.MachinePosition?.X, status.MachinePosition?.Y, status.MachineHeight),
             isKnown ? new WorkJson(active, status.WorkPosition?.X, status.WorkPosition?.Y, status.WorkHeight) : new WorkJson(active, null, null, null),
@@ -68,7 +68,7 @@ internal sealed record StatusJson(
         return z is { } atZ ? Wording.Get("Status.PlaceWithZ", atX, atY, atZ) : Wording.Get("Status.Place", atX, atY);
     }
 
-    private static Dictionary<string, int> Bits(int? word, LineNames names)
+    private static Dictionary<string, int> Bits(int? word, IoLineNames names)
     {
         var states = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase);
         if (word is not { } bits) return states;

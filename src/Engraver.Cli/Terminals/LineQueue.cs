@@ -12,7 +12,7 @@ internal sealed class LineQueue : IAsyncDisposable
     /// <param name="write">Writes one line; may block.</param>
     public LineQueue(Action<string> write) => _writing = Task.Run(() => WriteAsync(write));
 
-    public void Say(string line) => _lines.Writer.TryWrite(line);
+    public void Enqueue(string line) => _lines.Writer.TryWrite(line);
 
     /// <summary>Waits until all queued lines are written.</summary>
     public async ValueTask DisposeAsync()

@@ -21,7 +21,7 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
     /// <summary>Distance that an arrow key moves a held machine, mm.</summary>
     private const double JogStep = 1.0;
 
-    private JobPhase _told;
+    private JobPhase _lastPhase;
     private double _limit = 1.0;
     private Task<JobResult>? _move;
 
@@ -31,17 +31,17 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
         if (_move is { IsCompletedSuccessfully: true, Result: var moved })
         {
             _move = null;
-            say(moved is { Outcome: JobOutcome.Complete, FinalPosition: { } at } ? Wording.Get("RunKeys.Moved", PlaceText.Show(at, scale)) : moved.Sentence);
+            say(moved is { Outcome: JobOutcome.Complete, FinalPosition: { } at } ? Wording.Get("RunKeys.Moved", PositionText.Format(at, scale)) : moved.Message);
         }
 
-        TellLimit(value.FeedRatio);
-        if (value.Phase == _told) return;
-        _told = value.Phase;
+        ReportLimit(value.FeedRatio);
+        if (value.Phase == _lastPhase) return;
+        _lastPhase = value.Phase;
         if (value.Phase == JobPhase.Held) say(Wording.Get("RunKeys.Held"));
     }
 
     /// <summary>Reports when the feed in force is below the requested one.</summary>
-    private void TellLimit(double inForce)
+    private void ReportLimit(double inForce)
     {
         var limit = inForce < control.FeedRatio ? inForce : 0.0;
         if (limit > 0.0 && limit != _limit && inForce >= 1.0) say(Wording.Get("RunKeys.Limited", limit * Percent));
@@ -52,7 +52,7 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
     {
         if (StepOf(key.Key) is { } step)
         {
-            if (_move is null) _move = control.MoveAsync(HeldMove.By(step));
+            if (_move is null) _move = control.MoveAsync(MoveInHold.By(step));
             return;
         }
 
@@ -82,14 +82,14 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
     private void Feed(double ratio)
     {
         control.FeedRatio = Math.Round(ratio, 2);
-        SayOverride();
+        ReportOverride();
     }
 
     private void Rapid(double ratio)
     {
         control.RapidRatio = Math.Round(ratio, 2);
-        SayOverride();
+        ReportOverride();
     }
 
-    private void SayOverride() => say(Wording.Get("RunKeys.Override", control.FeedRatio * Percent, control.RapidRatio * Percent));
+    private void ReportOverride() => say(Wording.Get("RunKeys.Override", control.FeedRatio * Percent, control.RapidRatio * Percent));
 }

@@ -6,7 +6,7 @@ namespace Engraver.Cli.Terminals;
 internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalScreen screen, TimeProvider time)
 {
     /// <summary>Polling interval of the keyboard and of the output of controller programs.</summary>
-    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(50);
+    private static readonly TimeSpan s_pollInterval = TimeSpan.FromMilliseconds(50);
 
     /// <summary>Done, or the exit code of the first line that the controller refused or this program withheld.</summary>
     public int Code { get; private set; } = ExitCode.Done;
@@ -14,14 +14,14 @@ internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalSc
     /// <summary>Answers every line up to the end of input or <c>quit</c>; remaining output of controller programs is shown at the end.</summary>
     public async Task RunAsync(TextReader lines, CancellationToken stop)
     {
-        while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
+        while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && !terminal.IsExitLine(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         foreach (var message in await terminal.PollAsync(stop).ConfigureAwait(false)) screen.Show(message);
     }
 
     /// <summary>The same with a line editor. A refused line does not change the exit code, because the operator sees the refusal.</summary>
     public async Task RunKeysAsync(CancellationToken stop)
     {
-        while (await TypeAsync(stop).ConfigureAwait(false) is var line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
+        while (await TypeAsync(stop).ConfigureAwait(false) is var line && !terminal.IsExitLine(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         Code = ExitCode.Done;
     }
 
@@ -30,7 +30,7 @@ internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalSc
 
     private async Task AnswerAsync(string line, CancellationToken stop)
     {
-        foreach (var answer in await terminal.AnswerAsync(line, stop).ConfigureAwait(false))
+        foreach (var answer in await terminal.ExecuteLineAsync(line, stop).ConfigureAwait(false))
         {
             screen.Show(answer);
             if (Code == ExitCode.Done) Code = CodeOf(answer.Kind);
@@ -63,7 +63,7 @@ internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalSc
     {
         while (!Console.KeyAvailable)
         {
-            await Task.Delay(s_look, time, stop).ConfigureAwait(false);
+            await Task.Delay(s_pollInterval, time, stop).ConfigureAwait(false);
             var messages = await terminal.PollAsync(stop).ConfigureAwait(false);
             if (messages.Count == 0) continue;
             screen.HideInput();

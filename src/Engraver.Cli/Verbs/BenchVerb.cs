@@ -17,7 +17,7 @@ namespace Engraver.Cli.Verbs;
 internal static class BenchVerb
 {
     /// <summary>Maximum size in bytes of a drawing that is posted for every target.</summary>
-    private const long LargestPosted = 100_000;
+    private const long MaxPostedEntities = 100_000;
     private const int PostSeed = 15;
 
     public static Command Build(VerbHost host)
@@ -75,8 +75,8 @@ internal static class BenchVerb
         var command = new Command("offsets", Wording.Get("Bench.Offsets")) { sizes };
         command.SetAction(async (parsed, stop) =>
         {
-            await SayAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
-            foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            await WriteAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await WriteAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;
@@ -88,8 +88,8 @@ internal static class BenchVerb
         var command = new Command("pockets", Wording.Get("Bench.Pockets"));
         command.SetAction(async (_, stop) =>
         {
-            await SayAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
-            foreach (var row in PocketBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            await WriteAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in PocketBenchmark.Rows(stop)) await WriteAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;
@@ -103,16 +103,16 @@ internal static class BenchVerb
         {
             foreach (var place in result.Tokens.Where(token => !Path.Exists(token.Value))) result.AddError(Wording.Get("Bench.NotDrawingOrFolder", place.Value));
         });
-        var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMaxDrawings"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
+        var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMaxDrawings"), CustomParser = OptionValue.IntegerFromOne, DefaultValueFactory = _ => 60.0 };
         var target = new Option<string?>("--target") { HelpName = "NAME", Description = Wording.Get("Bench.PostTarget") };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
         var each = new Option<bool>("--each") { Description = Wording.Get("Bench.PostEach") };
         var command = new Command("posts", Wording.Get("Bench.Posts")) { places, most, target, each };
         command.SetAction(async (parsed, stop) =>
         {
-            var files = PostBenchmark.Choose(parsed.GetRequiredValue(places), (int)parsed.GetValue(most), LargestPosted, PostSeed);
-            await SayAsync(host, PostBenchmark.Head, stop).ConfigureAwait(false);
-            await foreach (var row in PostBenchmark.RowsAsync(files, parsed.GetValue(target), parsed.GetValue(each), stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            var files = PostBenchmark.Choose(parsed.GetRequiredValue(places), (int)parsed.GetValue(most), MaxPostedEntities, PostSeed);
+            await WriteAsync(host, PostBenchmark.Head, stop).ConfigureAwait(false);
+            await foreach (var row in PostBenchmark.RowsAsync(files, parsed.GetValue(target), parsed.GetValue(each), stop).ConfigureAwait(false)) await WriteAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;
@@ -121,11 +121,11 @@ internal static class BenchVerb
     private static async Task<int> TrajectoriesAsync(VerbHost host, int curves, CancellationToken stop)
     {
         TrajectoryBenchmark.WarmUp(stop);
-        await SayAsync(host, TrajectoryBenchmark.ShapesHead, stop).ConfigureAwait(false);
-        foreach (var row in TrajectoryBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
-        await SayAsync(host, "", stop).ConfigureAwait(false);
-        await SayAsync(host, TrajectoryBenchmark.CurvesHead, stop).ConfigureAwait(false);
-        await SayAsync(host, TrajectoryBenchmark.Curves(curves, stop), stop).ConfigureAwait(false);
+        await WriteAsync(host, TrajectoryBenchmark.ShapesHead, stop).ConfigureAwait(false);
+        foreach (var row in TrajectoryBenchmark.Rows(stop)) await WriteAsync(host, row, stop).ConfigureAwait(false);
+        await WriteAsync(host, "", stop).ConfigureAwait(false);
+        await WriteAsync(host, TrajectoryBenchmark.CurvesHead, stop).ConfigureAwait(false);
+        await WriteAsync(host, TrajectoryBenchmark.Curves(curves, stop), stop).ConfigureAwait(false);
         return ExitCode.Done;
     }
 
@@ -136,8 +136,8 @@ internal static class BenchVerb
         {
             var benchmark = new FaultStopBenchmark(folder.FullName, baud);
             await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // JIT-compiles the measured code.
-            await SayAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
-            foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await SayAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
+            await WriteAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
+            foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await WriteAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
             return ExitCode.Done;
         }
         catch (PlatformNotSupportedException unbuilt)
@@ -153,17 +153,17 @@ internal static class BenchVerb
     private static async Task<int> RunAsync(VerbHost host, int[] sizes, CancellationToken stop)
     {
         await StageBenchmark.WarmUpAsync(stop).ConfigureAwait(false);
-        await SayAsync(host, StageFigure.MarkdownHead, stop).ConfigureAwait(false);
+        await WriteAsync(host, StageFigure.MarkdownHead, stop).ConfigureAwait(false);
         foreach (var size in sizes)
         {
-            foreach (var row in await StageBenchmark.RunAsync(size, stop).ConfigureAwait(false)) await SayAsync(host, row.ToMarkdown(), stop).ConfigureAwait(false);
+            foreach (var row in await StageBenchmark.RunAsync(size, stop).ConfigureAwait(false)) await WriteAsync(host, row.ToMarkdown(), stop).ConfigureAwait(false);
         }
 
         return ExitCode.Done;
     }
 
     /// <summary>Writes a row immediately, because the next one may take minutes.</summary>
-    private static async Task SayAsync(VerbHost host, string line, CancellationToken stop)
+    private static async Task WriteAsync(VerbHost host, string line, CancellationToken stop)
     {
         await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
         await host.Out.FlushAsync(stop).ConfigureAwait(false);

@@ -28,16 +28,16 @@ internal sealed class CommissionVerb
 
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
-        var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
-        var environment = new CommandEnvironment { Speech = SettingWording.OnConsole };
+        var telling = new ScriptOutput(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
+        var environment = new CommandEnvironment { Terminology = SettingWording.OnConsole };
         if (parsed.GetValue(_output) is { } output) environment = environment with { CommissionedProfile = output };
         await using var session = new CommandSession(environment, CommandCatalog.Built());
-        session.Said += telling.Say;
+        session.MessageWritten += telling.Write;
         await using var pressed = stop.Register(() => session.Machine.Controls.Stop()).ConfigureAwait(false);
         var result = parsed.GetValue(_profile) is { } profile ? await TypeAsync(session, stop, "CNCPROFILE", profile).ConfigureAwait(false) : new InputResult.Done();
         if (result is not InputResult.Done) return CodeOf(result, stop);
         await session.Machine.Connection.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
-        return CodeOf(await TalkAsync(session, stop).ConfigureAwait(false), stop);
+        return CodeOf(await ConverseAsync(session, stop).ConfigureAwait(false), stop);
     }
 
     private static async Task<InputResult> TypeAsync(CommandSession session, CancellationToken stop, params string[] inputs)
@@ -48,17 +48,17 @@ internal sealed class CommissionVerb
     }
 
     /// <summary>Asks until the command has ended. The end of the input acts as Esc: the machine is restored to its initial state.</summary>
-    private async Task<InputResult> TalkAsync(CommandSession session, CancellationToken stop)
+    private async Task<InputResult> ConverseAsync(CommandSession session, CancellationToken stop)
     {
         var result = await session.EnterAsync("CNCCOMMISSION", stop).ConfigureAwait(false);
-        while (result is InputResult.Asking or InputResult.NotUnderstood)
+        while (result is InputResult.AwaitingInput or InputResult.NotAccepted)
         {
             if (await AnswerAsync(session.Prompt.Text, stop).ConfigureAwait(false) is not { } answer)
             {
                 var asked = session.Prompt.Text;
                 await session.CancelAsync().ConfigureAwait(false);
                 stop.ThrowIfCancellationRequested();
-                return new InputResult.Failed(CommandFailure.Usage, Said(Wording.Get("Commission.InputEnds", asked)));
+                return new InputResult.Failed(CommandFailure.Usage, Translate(Wording.Get("Commission.InputEnds", asked)));
             }
 
             result = await session.EnterAsync(answer, stop).ConfigureAwait(false);
@@ -67,7 +67,7 @@ internal sealed class CommissionVerb
         return result;
     }
 
-    private string Said(string sentence)
+    private string Translate(string sentence)
     {
         _host.Error.WriteLine(sentence);
         return sentence;
@@ -92,8 +92,8 @@ internal sealed class CommissionVerb
     private static int CodeOf(InputResult result, CancellationToken stop) => result switch
     {
         InputResult.Done => ExitCode.Done,
-        InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // The crash report has the details.
-        InputResult.Failed failed => ScriptVerb.Code(failed.Why),
+        InputResult.Failed { Exception: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // The crash report has the details.
+        InputResult.Failed failed => ScriptVerb.Code(failed.Reason),
         InputResult.Cancelled => throw new OperationCanceledException(stop),
         _ => ExitCode.Usage,
     };

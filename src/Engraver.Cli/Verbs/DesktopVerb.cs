@@ -34,14 +34,14 @@ internal sealed class DesktopVerb
 
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
-        var program = DesktopProgram.Find(AppContext.BaseDirectory, Environment.ProcessPath) ?? throw new UsageException(Wording.Get("Desktop.NotFound", AppContext.BaseDirectory));
+        var program = DesktopExecutable.Find(AppContext.BaseDirectory, Environment.ProcessPath) ?? throw new UsageException(Wording.Get("Desktop.NotFound", AppContext.BaseDirectory));
         using var desktop = Start(program, parsed);
-        await using var asked = stop.Register(() => AskToEnd(desktop.Id)).ConfigureAwait(false);
+        await using var asked = stop.Register(() => RequestExit(desktop.Id)).ConfigureAwait(false);
         await desktop.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
         return desktop.ExitCode;
     }
 
-    private Process Start(DesktopProgram program, ParseResult parsed)
+    private Process Start(DesktopExecutable program, ParseResult parsed)
     {
         try
         {
@@ -72,7 +72,7 @@ internal sealed class DesktopVerb
     }
 
     /// <summary>Sends SIGTERM to the desktop. The caller waits: the desktop stops the machine before it ends.</summary>
-    private static void AskToEnd(int id)
+    private static void RequestExit(int id)
     {
         if (OperatingSystem.IsWindows()) return; // Ctrl-C already reaches every process of the console.
         using var kill = Process.Start(new ProcessStartInfo("kill") { ArgumentList = { "-TERM", id.ToString(CultureInfo.InvariantCulture) }, UseShellExecute = false });
@@ -83,7 +83,7 @@ internal sealed class DesktopVerb
 /// <summary>The operator desktop beside this program: an executable if both were published, otherwise an assembly for the runtime.</summary>
 /// <param name="File">Its path.</param>
 /// <param name="Runtime">The program that runs an assembly; null for an executable.</param>
-internal sealed record DesktopProgram(string File, string? Runtime)
+internal sealed record DesktopExecutable(string File, string? Runtime)
 {
     private const string Name = "engraver-desktop";
 
@@ -91,14 +91,14 @@ internal sealed record DesktopProgram(string File, string? Runtime)
     /// <param name="here">This program's folder.</param>
     /// <param name="process">This program's executable: the runtime if an assembly was started, or the self-contained published program.</param>
     /// <returns>Null when there is none.</returns>
-    public static DesktopProgram? Find(string here, string? process)
+    public static DesktopExecutable? Find(string here, string? process)
     {
         var runtime = Path.GetFileNameWithoutExtension(process) == "dotnet" ? process : null;
         var folders = Folders(here).ToList();
         var executable = folders.Select(folder => Path.Combine(folder, OperatingSystem.IsWindows() ? Name + ".exe" : Name)).FirstOrDefault(System.IO.File.Exists);
         var assembly = folders.Select(folder => Path.Combine(folder, Name + ".dll")).FirstOrDefault(System.IO.File.Exists);
-        if (assembly is not null && (runtime is not null || executable is null)) return new DesktopProgram(assembly, runtime ?? "dotnet");
-        return executable is null ? null : new DesktopProgram(executable, null);
+        if (assembly is not null && (runtime is not null || executable is null)) return new DesktopExecutable(assembly, runtime ?? "dotnet");
+        return executable is null ? null : new DesktopExecutable(executable, null);
     }
 
     /// <summary>The start information with these arguments.</summary>

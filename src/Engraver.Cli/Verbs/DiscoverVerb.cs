@@ -35,11 +35,11 @@ internal static class DiscoverVerb
         var asked = new List<DiscoveredController>();
         foreach (var address in Discovery.Candidates(given, baud, Discovery.UserSettings, Discovery.Devices))
         {
-            var one = await Discovery.AskAsync(address, TimeProvider.System, stop).ConfigureAwait(false);
+            var one = await Discovery.QueryAsync(address, TimeProvider.System, stop).ConfigureAwait(false);
             asked.Add(one);
             if (!json) host.Out.WriteLine(one switch
             {
-                { Model: null } => Wording.Get("Discover.NoReply", one.Address, one.WhyNot),
+                { Model: null } => Wording.Get("Discover.NoReply", one.Address, one.Failure),
                 { Serial: { } number } => Wording.Get("Discover.Found", one.Address, one.Model, number),
                 _ => Wording.Get("Discover.FoundWithoutNumber", one.Address, one.Model),
             });

@@ -47,23 +47,23 @@ internal sealed class FrameVerb
             },
             stop).ConfigureAwait(false);
         _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
-        if (frame is null) return _host.NotMoved($"{job.WithoutProgram}.");
+        if (frame is null) return _host.NotMoved($"{job.NoProgramReason}.");
         await using var machine = new MachineSession(TimeProvider.System, MachineMemories.FolderIn(null), simulatedIsHomed: true) { Profile = settings.Machine };
         await machine.Connection.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
         var placement = await machine.Origins.AskAsync(frame, dryRun: true, stop).ConfigureAwait(false);
-        var list = ArmingChecklist.OfFrameOnConsole(job, machine.Profile, machine.Status, placement);
+        var list = ArmingChecklist.ForFrameOnConsole(job, machine.Profile, machine.Status, placement);
         if (!parsed.GetValue(_json)) _host.Print(parsed, list);
-        var code = list.WhyNot is { } unready ? _host.NotMoved(unready) : Conclude(await machine.Runs.FrameAsync(frame, JournalFolder.NewJournal("frame", TimeProvider.System), stop).ConfigureAwait(false));
+        var code = list.FailureText is { } unready ? _host.NotMoved(unready) : ReportResult(await machine.Runs.FrameAsync(frame, JournalFolder.NewJournal("frame", TimeProvider.System), stop).ConfigureAwait(false));
         var status = StatusJson.From(machine.Status, machine.Connection.Lease?.Memory, machine.Profile) with { Checks = StartCheckJson.Of(list) };
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, status, ContractJson.Default.StatusJson);
         else foreach (var line in status.Text()) await _host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
         return code;
     }
 
-    private int Conclude(JobResult result)
+    private int ReportResult(JobResult result)
     {
         if (result.FrameOrigin is null && result.Diagnostics is [var unplaced, ..]) return _host.NotMoved(SettingWording.OnConsole(unplaced).Message);
-        if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
+        if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Message}");
         return ExitCode.Of(result.Outcome);
     }
 }

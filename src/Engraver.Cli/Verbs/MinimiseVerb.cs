@@ -51,7 +51,7 @@ internal static class MinimiseVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            host.Error.WriteLine($"engraver: {SystemReason.WithPath(unreadable)}.");
+            host.Error.WriteLine($"engraver: {SystemErrorText.WithPath(unreadable)}.");
             return null;
         }
     }

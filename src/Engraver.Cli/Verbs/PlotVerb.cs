@@ -28,7 +28,7 @@ internal static class PlotVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
+            VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             OutputFormat.Check(parsed.GetValue(output), ".svg");
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             IReadOnlyList<Diagnostic> findings = [];
@@ -55,14 +55,14 @@ internal static class PlotVerb
     /// <summary>From the trace saved beside a journal; by default beside that of the last run of the drawing.</summary>
     private static PlotModel OfRun(Drawing drawing, DrawingSettings settings, RunMeasure measure, string? journal)
     {
-        var kept = journal ?? KeptTrace.LastOf(drawing.FileName) ?? throw new UsageException(Wording.Get("Plot.NoRun", Path.GetFileName(drawing.FileName)));
+        var kept = journal ?? TraceFile.LastOf(drawing.FileName) ?? throw new UsageException(Wording.Get("Plot.NoRun", Path.GetFileName(drawing.FileName)));
         try
         {
-            return DrawingPlot.OfRun(drawing, settings, KeptTrace.Read(kept), measure);
+            return DrawingPlot.OfRun(drawing, settings, TraceFile.Read(kept), measure);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
         {
-            throw new UsageException(Wording.Get("Plot.Unreadable", KeptTrace.PathOf(kept), SystemReason.Of(unreadable)), unreadable);
+            throw new UsageException(Wording.Get("Plot.Unreadable", TraceFile.PathOf(kept), SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 }

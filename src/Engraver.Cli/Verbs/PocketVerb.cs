@@ -15,7 +15,7 @@ internal static class PocketVerb
 {
     public static Command Build(VerbHost host)
     {
-        var (drawing, options, json) = (new DrawingOptions(), new PocketVerbOptions(), JsonOption.New());
+        var (drawing, options, json) = (new DrawingOptions(), new PocketOptionSet(), JsonOption.New());
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Pocket.WriteDxf") };
         var command = new Command("pocket", Wording.Get("Pocket.Summary"));
         drawing.AddTo(command);
@@ -28,7 +28,7 @@ internal static class PocketVerb
             var settings = drawing.Settings(parsed);
             var (chosen, depths) = (options.Pocket(parsed, settings), options.Depths(parsed));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            options.TellDeprecated(parsed, host);
+            options.WarnDeprecated(parsed, host);
             var pocket = PocketDrawing.Create(read, settings, chosen, depths);
             if (parsed.GetValue(output) is { } path && !DrawingFile.IsUnreadable(read)) host.Write(path, writer => DxfWriter.Write(pocket.ToSheet(), writer));
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, PocketJson.From(pocket, chosen, depths), ContractJson.Default.PocketJson);
@@ -40,7 +40,7 @@ internal static class PocketVerb
 }
 
 /// <summary>The options of <c>engraver pocket</c> in addition to those of every drawing verb.</summary>
-internal sealed class PocketVerbOptions
+internal sealed class PocketOptionSet
 {
     private readonly Option<double> _tool = new("--tool") { Required = true, HelpName = "R", Description = Wording.Get("Pocket.Tool"), CustomParser = OptionValue.PositiveNumber };
     private readonly Option<double?> _stepover = new("--stepover") { HelpName = "F", Description = Wording.Get("Pocket.Stepover"), CustomParser = result => OptionValue.NumberBelowOne(result) };
@@ -62,8 +62,8 @@ internal sealed class PocketVerbOptions
         foreach (var option in (Option[])[_tool, _stepover, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
         command.Validators.Add(result =>
         {
-            NeedsDepth(result, _step);
-            NeedsDepth(result, _entry);
+            RequireDepth(result, _step);
+            RequireDepth(result, _entry);
         });
     }
 
@@ -88,9 +88,9 @@ internal sealed class PocketVerbOptions
     };
 
     /// <summary>Warns on standard error that the stepover was given by its deprecated name.</summary>
-    public void TellDeprecated(ParseResult parsed, VerbHost host)
+    public void WarnDeprecated(ParseResult parsed, VerbHost host)
     {
-        if (parsed.GetValue(_overlap) is { } given && !GlobalOptions.WantsOnlyErrors(parsed)) host.Error.WriteLine(Wording.Get("Pocket.OverlapDeprecated", given));
+        if (parsed.GetValue(_overlap) is { } given && !GlobalOptions.IsErrorsOnly(parsed)) host.Error.WriteLine(Wording.Get("Pocket.OverlapDeprecated", given));
     }
 
     public PocketDepths Depths(ParseResult parsed) => new()
@@ -101,7 +101,7 @@ internal sealed class PocketVerbOptions
         RampAngle = Angle.FromDegrees(parsed.GetValue(_rampAngle)),
     };
 
-    private void NeedsDepth(CommandResult result, Option option)
+    private void RequireDepth(CommandResult result, Option option)
     {
         if (result.GetResult(option) is { Implicit: false } && result.GetResult(_depth) is null) result.AddError(Wording.Get("Pocket.NeedsDepth", option.Name));
     }

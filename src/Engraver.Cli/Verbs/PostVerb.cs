@@ -32,7 +32,7 @@ internal static class PostVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
+            VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
             var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);
@@ -47,17 +47,17 @@ internal static class PostVerb
     private static void Write(VerbHost host, ParseResult parsed, PostedProgram posted, string target, string? file, bool asJson)
     {
         if (posted.Text is { } text && (file is not null || !asJson)) host.Write(file, writer => writer.Write(text));
-        if (posted.Text is not null && file is not null) VerbHost.Keep(file, posted.Forecast);
+        if (posted.Text is not null && file is not null) VerbHost.SaveProgramStart(file, posted.Forecast);
         if (asJson) ContractJson.Write(host.Out, PostJson.From(target, file, posted), ContractJson.Default.PostJson);
         else if (file is not null && posted.Forecast is { } forecast && !host.Quiet(parsed)) ForecastText.Write(host.Out, forecast);
     }
 
     private static Option<string?> Choice(PostOption option)
     {
-        var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = Wording.Get("Post.Default", string.Join(", ", PostTable.Having(option)), option.Summary, option.Form, option.Default) };
+        var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = Wording.Get("Post.Default", string.Join(", ", PostTable.TargetsWith(option)), option.Summary, option.Form, option.Default) };
         choice.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError(Wording.Get("Post.InvalidOption", option.Name, value, option.Form));
+            if (result.Tokens is [{ Value: var value }] && !option.IsValid(value)) result.AddError(Wording.Get("Post.InvalidOption", option.Name, value, option.Form));
         });
         return choice;
     }

@@ -25,7 +25,7 @@ namespace Engraver.Cli.Verbs;
 internal sealed class RunVerb
 {
     /// <summary>Refusals that result from the machine's state or abilities; the others result from a setting.</summary>
-    private static readonly DiagnosticRule[] s_ofTheMachine = [PreparationRules.OutsideTravel, PreparationRules.HeightOutsideTravel, PreparationRules.DryRunOutsideTravel, PreparationRules.NotHomed];
+    private static readonly DiagnosticRule[] s_machineRules = [PreparationRules.OutsideTravel, PreparationRules.HeightOutsideTravel, PreparationRules.DryRunOutsideTravel, PreparationRules.NotHomed];
 
     private const string Name = "run";
 
@@ -42,7 +42,7 @@ internal sealed class RunVerb
 
     private readonly Option<string?> _resume = new("--resume") { HelpName = "JOURNAL", Description = Wording.Get("Run.Resume") };
     private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
-    private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.UsualLeadInMm, CustomParser = ParseLeadIn };
+    private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.DefaultLeadInMm, CustomParser = ParseLeadIn };
 
     /// <summary>Settings for the <c>--json</c> object of a run that did not start, as far as they are known.</summary>
     private DrawingSettings _settings = new();
@@ -82,7 +82,7 @@ internal sealed class RunVerb
         }
         catch (Exception ended) when (parsed.GetValue(_json) && !_isReported)
         {
-            await SayNotStartedAsync(ended switch { MachineUnavailableException => JobOutcome.Refused, ControllerException => JobOutcome.LinkLost, OperationCanceledException => JobOutcome.Stopped, _ => JobOutcome.Refused }).ConfigureAwait(false);
+            await ReportNotStartedAsync(ended switch { MachineUnavailableException => JobOutcome.Refused, ControllerException => JobOutcome.LinkLost, OperationCanceledException => JobOutcome.Stopped, _ => JobOutcome.Refused }).ConfigureAwait(false);
             throw;
         }
     }
@@ -98,10 +98,10 @@ internal sealed class RunVerb
         if (_followed is { } followed && !parsed.GetValue(_json)) _host.Out.WriteLine(Wording.Get("Run.Trajectories", followed.Trajectories.Count, followed.Trajectories.Sum(one => one.Curve.Points), followed.Bound));
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return NotStarted(parsed, job, WhyNotStarted(job));
+            return ReportNotStarted(parsed, job, NotStartedReason(job));
         }
 
-        if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
+        if (fit is null || program.SegmentCount == 0) return ReportNotStarted(parsed, job, job.NoProgramReason);
         var ended = await RunOnMachineAsync(parsed, job, fit, strategy, stop).ConfigureAwait(false);
 
         // Accepted errors still count as errors: the job was done as far as possible (docs/pipeline.md).
@@ -124,15 +124,15 @@ internal sealed class RunVerb
     }
 
     /// <summary>Mentions that errors can be accepted only if there is something to run.</summary>
-    private static string WhyNotStarted(PreparedJob job)
+    private static string NotStartedReason(PreparedJob job)
     {
         if (DrawingFile.IsUnreadable(job.Drawing)) return Wording.Get("Run.DrawingUnreadable");
-        return job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrors");
+        return job.Motion.Program is null ? job.NoProgramReason : Wording.Get("Run.DrawingHasErrors");
     }
 
     private PreparedJob Follow(TrajectoryJob followed) => (_followed = followed).Job;
 
-    private async Task SayNotStartedAsync(JobOutcome outcome)
+    private async Task ReportNotStartedAsync(JobOutcome outcome)
     {
         Write(RunReport.NotStarted(_settings, _job, outcome));
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
@@ -142,38 +142,38 @@ internal sealed class RunVerb
     {
         var control = new JobControl();
         ArmingChecklist? checks = null;
-        var certificate = CertificateStanding.OfRun(job, fit.Program);
+        var certificate = CertificateStatus.OfRun(job, fit.Program);
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, strategy)
         {
             Control = control,
-            Resume = parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.AsksForWork(parsed) } : null,
+            Resume = parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.RequestsWorkOrigin(parsed) } : null,
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
             Origin = _placement.Origin(parsed),
             Finish = job.Settings.Finish,
             Memories = PlacementOptions.Memories(parsed.GetRequiredValue(_connect)!),
-            Holder = PlacementOptions.Holder,
-            MayStart = (status, placement) =>
+            LeaseOwner = PlacementOptions.OwnerName,
+            CheckStart = (status, placement) =>
             {
-                checks = ArmingChecklist.OnConsole(job, placement.Program.Profile, status, placement.Found, certificate.Check);
+                checks = ArmingChecklist.ForConsole(job, placement.Program.Profile, status, placement.Found, certificate.Check);
                 if (!parsed.GetValue(_json)) _host.Print(parsed, checks);
-                return status.State == MachineState.Busy ? null : checks.WhyNot; // The job checks more closely and reports what is running.
+                return status.State == MachineState.Busy ? null : checks.FailureText; // The job checks more closely and reports what is running.
             },
-            Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
+            FindingReported = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         var begun = TimeProvider.System.GetUtcNow();
-        using var open = _host.Begin(HistoryEntry.OfBegun(job, options, begun, simulated: false));
+        using var open = _host.BeginRun(HistoryEntry.OfStarted(job, options, begun, simulated: false));
         MachineRunReport report;
         try
         {
             var lines = new LineQueue(_host.Error.WriteLine);
             await using var written = lines.ConfigureAwait(false);
-            report = await ProgressBar.OfRunAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
+            report = await ProgressBar.OfRunAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, WithKeys(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
         catch (ControllerException lost) // The link could not be established.
         {
@@ -187,17 +187,17 @@ internal sealed class RunVerb
 
     private static double ParseLeadIn(ArgumentResult result)
     {
-        if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var length) && length is >= 0.0 and <= ResumeRequest.LongestLeadInMm) return length;
-        result.AddError(Wording.Get("Run.InvalidLeadIn", result.Tokens[0].Value, ResumeRequest.LongestLeadInMm));
-        return ResumeRequest.UsualLeadInMm;
+        if (NumberPrompt.TryParse(result.Tokens[0].Value, out var length) && length is >= 0.0 and <= ResumeRequest.MaxLeadInMm) return length;
+        result.AddError(Wording.Get("Run.InvalidLeadIn", result.Tokens[0].Value, ResumeRequest.MaxLeadInMm));
+        return ResumeRequest.DefaultLeadInMm;
     }
 
     /// <summary>On an interactive terminal, shows the keys and polls them with every progress report.</summary>
-    private IProgress<JobProgress>? Watching(JobControl control, CountsScale scale, LineQueue lines, IProgress<JobProgress>? progress)
+    private IProgress<JobProgress>? WithKeys(JobControl control, CountsScale scale, LineQueue lines, IProgress<JobProgress>? progress)
     {
         if (_host.Keys is not { } next) return progress;
         _host.Error.WriteLine(Wording.Get("RunKeys.Help"));
-        return new BothProgress(new RunKeys(control, scale, next, lines.Say), progress);
+        return new BothProgress(new RunKeys(control, scale, next, lines.Enqueue), progress);
     }
 
     private sealed class BothProgress(IProgress<JobProgress> first, IProgress<JobProgress>? second) : IProgress<JobProgress>
@@ -212,11 +212,11 @@ internal sealed class RunVerb
     private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
-        if (report.ResumeRefusal is { } unresumed) return NotPlaced(parsed, job, unresumed, checks);
-        if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced, checks);
+        if (report.ResumeRefusal is { } unresumed) return ReportNotPlaced(parsed, job, unresumed, checks);
+        if (report.Placement?.Refusal is { } unplaced) return ReportNotPlaced(parsed, job, unplaced, checks);
         if (parsed.GetValue(_json)) Write(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) });
         else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
-        if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
+        if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Message}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.TraceIncomplete", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(report.Result.Outcome);
@@ -229,14 +229,14 @@ internal sealed class RunVerb
     }
 
     /// <summary>The work origin is unknown: nothing was moved.</summary>
-    private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
+    private int ReportNotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
         if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks));
-        return s_ofTheMachine.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
+        return s_machineRules.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
     }
 
-    private int NotStarted(ParseResult parsed, PreparedJob job, string why)
+    private int ReportNotStarted(ParseResult parsed, PreparedJob job, string why)
     {
         if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused));
         _host.Error.WriteLine(Wording.Get("Run.NotStarted", why));
@@ -255,7 +255,7 @@ internal sealed class RunVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemErrorText.FromException(unwritable)), unwritable);
         }
     }
 }

@@ -30,7 +30,7 @@ internal static class SequenceVerb
             var (_, chainSeconds) = Timed(run.To<ChainedJob>);
             var (ordered, orderSeconds) = Timed(run.To<OrderedJob>);
             var result = ordered.Sequence;
-            var posted = parsed.GetValue(output) is null ? null : PostedProgram.FromSequence(ordered, PostTable.ForEnding(".dxf")!.Post, PostedProgram.NoOptions);
+            var posted = parsed.GetValue(output) is null ? null : PostedProgram.FromSequence(ordered, PostTable.ForExtension(".dxf")!.Post, PostedProgram.NoOptions);
             if (posted?.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);

@@ -72,7 +72,7 @@ internal static class SimulateVerb
     private static async Task OfferClockAsync(VerbHost host, ServedSimulator controller, CancellationToken stop)
     {
         var place = await controller.ListenClockAsync(stop).ConfigureAwait(false);
-        await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
+        await WriteAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
     }
 
     /// <summary>Listens on every requested transport, reports it, and serves until the signal.</summary>
@@ -86,10 +86,10 @@ internal static class SimulateVerb
         if (serial is not null)
         {
             await ServeSerialAsync(controller, serial, baud, stop).ConfigureAwait(false);
-            await SayAsync(host, $"listening serial://{serial}", stop).ConfigureAwait(false);
+            await WriteAsync(host, $"listening serial://{serial}", stop).ConfigureAwait(false);
         }
 
-        await controller.Broken.WaitAsync(stop).ConfigureAwait(false);
+        await controller.Failure.WaitAsync(stop).ConfigureAwait(false);
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
@@ -98,15 +98,15 @@ internal static class SimulateVerb
         try
         {
             var place = await listen(port, stop).ConfigureAwait(false);
-            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {transport}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
+            await WriteAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {transport}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
         }
         catch (IOException taken)
         {
-            throw new ControllerLinkException(Wording.Get("Simulate.PortUnavailable", port.ToString(CultureInfo.InvariantCulture), SystemReason.Of(taken), transport), taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortUnavailable", port.ToString(CultureInfo.InvariantCulture), SystemErrorText.FromException(taken), transport), taken);
         }
     }
 
-    private static async Task SayAsync(VerbHost host, string line, CancellationToken stop)
+    private static async Task WriteAsync(VerbHost host, string line, CancellationToken stop)
     {
         await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
         await host.Out.FlushAsync(stop).ConfigureAwait(false);
@@ -121,7 +121,7 @@ internal static class SimulateVerb
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
         {
-            throw new UsageException(Wording.Get("Simulate.Serial", path, SystemReason.Of(unusable)), unusable);
+            throw new UsageException(Wording.Get("Simulate.Serial", path, SystemErrorText.FromException(unusable)), unusable);
         }
     }
 
@@ -134,7 +134,7 @@ internal static class SimulateVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemErrorText.FromException(unwritable)), unwritable);
         }
     }
 
@@ -147,7 +147,7 @@ internal static class SimulateVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Simulate.Faults", path, SystemReason.Of(unreadable)), unreadable);
+            throw new UsageException(Wording.Get("Simulate.Faults", path, SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 

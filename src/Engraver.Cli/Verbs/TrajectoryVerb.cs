@@ -21,7 +21,7 @@ internal sealed class TrajectoryVerb
     private readonly Option<double> _segment = new("--segment-length") { HelpName = "L", Description = Wording.Get("Trajectory.SegmentLength"), CustomParser = OptionValue.PositiveNumber, DefaultValueFactory = _ => TrajectorySettings.Default.SegmentLengthMm };
     private readonly Option<double?> _offset = new("--offset") { HelpName = "D", Description = Wording.Get("Trajectory.Offset"), CustomParser = result => OptionValue.PositiveNumber(result) };
     private readonly Option<string?> _side = new("--side") { Description = Wording.Get("Trajectory.Side") };
-    private readonly Option<double> _passes = new("--passes") { HelpName = "N", Description = Wording.Get("Trajectory.Passes"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 1.0 };
+    private readonly Option<double> _passes = new("--passes") { HelpName = "N", Description = Wording.Get("Trajectory.Passes"), CustomParser = OptionValue.IntegerFromOne, DefaultValueFactory = _ => 1.0 };
     private readonly Option<double?> _step = new("--step") { HelpName = "S", Description = Wording.Get("Trajectory.Step"), CustomParser = result => OptionValue.PositiveNumber(result) };
     private readonly Option<string> _corners = Choice("--corners", Wording.Get("Trajectory.Corners"), "stop", "continuous");
     private readonly Option<double> _z = new("--z") { HelpName = "MM", Description = Wording.Get("Trajectory.Z"), CustomParser = OptionValue.AnyNumber, DefaultValueFactory = _ => 0.0 };
@@ -54,8 +54,8 @@ internal sealed class TrajectoryVerb
         var made = TrajectoryDrawing.Create(read, settings, request);
         var isRefused = made.Trajectories.Any(one => one.File.BrokenLimits.Count > 0 || one.File.VerifiedBound > settings.MaxErrorMm) && !parsed.GetValue(_acceptErrors);
         if (made.Trajectories.Count > 0 && !isRefused) Write(parsed.GetRequiredValue(_folder), made, request);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, TrajectoryJson.From(made), ContractJson.Default.TrajectoryJson);
-        else TrajectoryJson.Text(_host.Out, made);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, TrajectoryListJson.From(made), ContractJson.Default.TrajectoryListJson);
+        else TrajectoryListJson.Text(_host.Out, made);
         var code = _host.Report(parsed, read.FileName, made.Diagnostics);
         if (isRefused) _host.Error.WriteLine(Wording.Get("Trajectory.NotWritten"));
         return code;
@@ -69,7 +69,7 @@ internal sealed class TrajectoryVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWrite", folder, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", folder, SystemErrorText.FromException(unwritable)), unwritable);
         }
     }
 

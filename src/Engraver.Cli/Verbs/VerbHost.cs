@@ -13,7 +13,7 @@ using Engraver.Workbench.Sidecars;
 namespace Engraver.Cli.Verbs;
 
 /// <summary>The services of every verb: streams, global options, and printing diagnostics and converting them to an exit code.</summary>
-internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
+internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, ConnectedMachine machine)
 {
     public TextWriter Out => streams.Out;
 
@@ -22,7 +22,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     public TextReader In => streams.In;
 
     /// <summary>For a verb that connects to a machine and disconnects during its run; others are a <see cref="MachineCommand"/>.</summary>
-    public MachineInHand Machine => machine;
+    public ConnectedMachine Machine => machine;
 
     /// <summary>True on an interactive terminal.</summary>
     public bool Interactive => streams.Interactive;
@@ -60,28 +60,28 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     /// <summary>Adds a job to the history; a write failure is only reported.</summary>
     public void Remember(HistoryEntry entry)
     {
-        if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) SayNotKept(failure);
+        if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) WarnNotSaved(failure);
     }
 
     /// <summary>Records the result of reading a program back in its history entry, if there is one.</summary>
     public void NoteReadBack(string program, HistoryReadBack found)
     {
-        if (new JobHistory(JobHistory.FolderIn(null)).NoteReadBack(program, found) is { } failure) SayNotKept(failure);
+        if (new JobHistory(JobHistory.FolderIn(null)).NoteReadBack(program, found) is { } failure) WarnNotSaved(failure);
     }
 
     /// <summary>The start position saved beside a program; reports a file that is not used.</summary>
     /// <returns>Drawing millimetres; null for none.</returns>
-    public Point2D? KeptStart(ParseResult parsed, string program)
+    public Point2D? SavedStart(ParseResult parsed, string program)
     {
         var kept = ProgramStart.Find(program);
-        if (kept.Sentence is { } unused && !global.Quiet(parsed)) Error.WriteLine(unused);
-        return kept.Place;
+        if (kept.Message is { } unused && !global.Quiet(parsed)) Error.WriteLine(unused);
+        return kept.Position;
     }
 
     /// <summary>Adds a run that starts to the history.</summary>
-    public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
+    public PendingRun BeginRun(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, WarnNotSaved);
 
-    private void SayNotKept(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
+    private void WarnNotSaved(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
 
     /// <summary>Writes a result atomically to a file, or to standard output when no file is named.</summary>
     /// <exception cref="UsageException">The path cannot be written.</exception>
@@ -98,16 +98,16 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
 
     /// <summary>Saves the start position beside a written program whose format does not contain it.</summary>
     /// <exception cref="UsageException">The path cannot be written.</exception>
-    public static void Keep(string program, PostForecast? forecast) => Attempt(program + ProgramStart.Ending, () => ProgramStart.Keep(program, forecast));
+    public static void SaveProgramStart(string program, PostForecast? forecast) => Attempt(program + ProgramStart.FileExtension, () => ProgramStart.Save(program, forecast));
 
     /// <summary>Checks before a long operation that its result can be written.</summary>
     /// <exception cref="UsageException">It cannot.</exception>
-    public static void CheckPlace(string path) => Attempt(path, () => OutputFile.Check(path));
+    public static void CheckWritable(string path) => Attempt(path, () => OutputFile.Check(path));
 
     /// <summary>Refuses to overwrite the source of a result with the result.</summary>
     /// <param name="path">Path of the result; null for standard output.</param>
     /// <exception cref="UsageException">Both are the same file.</exception>
-    public static void KeepApart(string source, string? path)
+    public static void RejectSameFile(string source, string? path)
     {
         if (path is not null && Path.GetFullPath(path) == Path.GetFullPath(source) && !FileKind.IsStream(path)) throw new UsageException(Wording.Get("Verbs.OutputIsInput", path));
     }
@@ -120,7 +120,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemErrorText.FromException(unwritable)), unwritable);
         }
     }
 }

@@ -19,7 +19,7 @@ internal sealed class VerifyVerb
     private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.Against") };
     private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Verify.Target") };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
-    private readonly PostedOptions _posted = new();
+    private readonly PostParameterOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
@@ -50,8 +50,8 @@ internal sealed class VerifyVerb
         var file = parsed.GetRequiredValue(_program);
         var (target, dialect) = parsed.GetValue(_target) is { } named ? (named, parsed.GetValue(_dialect)) : Found(file, parsed.GetValue(_dialect));
         var (program, reader) = ReadBack(file, target, dialect);
-        if (parsed.GetValue(_target) is null && ProgramForm.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
-        var posted = _posted.Of(parsed) with { Start = _host.KeptStart(parsed, file) };
+        if (parsed.GetValue(_target) is null && ProgramFormatDetector.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
+        var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await ProgressBar.OfVerificationAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);
@@ -78,7 +78,7 @@ internal sealed class VerifyVerb
 
     /// <summary>The detected format of the file; the first entry of the table if it is not recognised.</summary>
     /// <param name="asked">The dialect from the command line; null: from the file.</param>
-    private static (string Target, string? Dialect) Found(string file, string? asked) => ProgramForm.Of(file) is { } found ? (found.Entry.Post.Name, asked ?? found.Dialect) : (PostTable.All[0].Post.Name, asked);
+    private static (string Target, string? Dialect) Found(string file, string? asked) => ProgramFormatDetector.Of(file) is { } found ? (found.Entry.Post.Name, asked ?? found.Dialect) : (PostTable.All[0].Post.Name, asked);
 
     /// <summary>Null for a target of trajectories.</summary>
     private PostEntry? Entry(CommandResult result) => PostTable.All.FirstOrDefault(entry => entry.Post.Name == Target(result));

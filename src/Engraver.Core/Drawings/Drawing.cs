@@ -14,7 +14,7 @@ public sealed record Drawing(
     IReadOnlyList<Layer> Layers,
     GrowingColumn<DrawingEntity> Entities,
     GrowingColumn<DrawingPart> Parts,
-    DrawingBalance Balance,
+    ReadBalance Balance,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
     /// <summary>The largest coordinate, drawing units. A larger one could overflow when squared, and work pieces are far smaller.</summary>
@@ -96,7 +96,7 @@ public sealed record Drawing(
     private static Drawing Bare(string fileName, LengthUnit unit)
     {
         var nothing = new Dictionary<string, int>();
-        return new Drawing(fileName, 0, "", "ascii", unit, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new DrawingBalance(nothing, 0, 0, [], [], nothing, 0), []);
+        return new Drawing(fileName, 0, "", "ascii", unit, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new ReadBalance(nothing, 0, 0, [], [], nothing, 0), []);
     }
 
     /// <summary>The first curve with a handle (hexadecimal, any case, leading zeros allowed); null when there is none.</summary>
@@ -111,10 +111,3 @@ public sealed record Drawing(
         return null;
     }
 }
-
-/// <summary>Number of entities of one type of construction other than text on one layer, blocks expanded. An entity that is invisible itself or through its
-/// insert is not counted.</summary>
-/// <param name="Type">The DXF name (HATCH, DIMENSION, POINT).</param>
-/// <param name="Layer">Index into <see cref="Drawing.Layers"/>: the effective layer.</param>
-/// <param name="First">Where the first one is in the file (in a block: the block's entity).</param>
-public readonly record struct ConstructionCount(string Type, int Layer, int Count, SourceRef First);

@@ -23,7 +23,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         var attributes = 0;
         if (_record.Kind == RecordKind.Polyline) ReadVertices();
         if (_record.Kind == RecordKind.Insert) attributes = ReadAttributes();
-        if (!target.Takes(_record)) return;
+        if (!target.Accepts(_record)) return;
         if (_record.Kind == RecordKind.Insert) AddInsert(target, attributes);
         else if (DrawsCurve()) AddCurve(target);
         else if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
@@ -69,8 +69,8 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
             return;
         }
 
-        if (lengths.Find(_record, _mapper.Shape) is { } lost) _mapper.Shape.Oddities.Add(lost);
-        if (linetypes.Find(_record) is { } dashed) _mapper.Shape.Oddities.Add(dashed);
+        if (lengths.Find(_record, _mapper.Shape) is { } lost) _mapper.Shape.Warnings.Add(lost);
+        if (linetypes.Find(_record) is { } dashed) _mapper.Shape.Warnings.Add(dashed);
         target.AddCurve(_record, _mapper.Shape);
     }
 
@@ -80,7 +80,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         var insert = new BlockInsert(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddInsert(_record, insert, attributes);
-        if (_record.Oddity is { } odd) target.Note(odd);
+        if (_record.Warning is { } odd) target.Note(odd);
         if (insert.ZeroScaleCode is not 0 and var code) target.Note(_record.Finding(DxfRules.ZeroScale, Wording.Get("ContentReader.Group", code), refused: false));
         foreach (var text in _attributes) target.AddText(text);
     }
@@ -92,7 +92,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         outlines.Finish(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddCurves(_record, outlines.Shapes);
-        if (_record.Oddity is { } odd) target.Note(odd);
+        if (_record.Warning is { } odd) target.Note(odd);
         foreach (var issue in lost) target.Note(issue);
     }
 
@@ -155,7 +155,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         for (; records.Next == RecordKind.Attribute; count++)
         {
             records.Read(_part);
-            if (_part.Fault is { Rule: var rule } && (rule == DxfRules.TwoRecords || rule == DxfRules.DamagedRecord)) _record.TakeFaultOf(_part);
+            if (_part.Fault is { Rule: var rule } && (rule == DxfRules.TwoRecords || rule == DxfRules.DamagedRecord)) _record.CopyFaultFrom(_part);
             if (texts.Map(_part) is { } text) _attributes.Add(text);
         }
 

@@ -8,7 +8,7 @@ namespace Engraver.Core.Dxf;
 
 /// <summary>Reads the definitions to which entities refer: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
 internal sealed class DefinitionReader(
-    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, LinetypeTable linetypes, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
+    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, LinetypeTable linetypes, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, ReadTally balance, ImportLog log)
 {
     /// <summary>Flags of an external reference (4) or an overlaid one (8): its drawing is another file.</summary>
     private const int ExternalFlags = 4 | 8;
@@ -27,10 +27,10 @@ internal sealed class DefinitionReader(
     {
         if (records.Next == RecordKind.Block) TakeBlock();
         else if (records.Next is RecordKind.LayerEntry or RecordKind.StyleEntry or RecordKind.LinetypeEntry) TakeTableEntry();
-        else PassOver(section);
+        else SkipSection(section);
     }
 
-    private void PassOver(string section)
+    private void SkipSection(string section)
     {
         var misplaced = section switch
         {
@@ -60,7 +60,7 @@ internal sealed class DefinitionReader(
         records.Read(_record);
         if (_record.Name >= 0 && IsModelSpace(records.Blocks[_record.Name]))
         {
-            PassModelSpace(start);
+            SkipModelSpace(start);
             return;
         }
 
@@ -76,11 +76,11 @@ internal sealed class DefinitionReader(
     /// <summary>True for the block of model space, as R13 and later name it, and R12 when written by later releases.</summary>
     private static bool IsModelSpace(string block) => block.Equals("*MODEL_SPACE", StringComparison.OrdinalIgnoreCase) || block.Equals("$MODEL_SPACE", StringComparison.OrdinalIgnoreCase);
 
-    private void PassModelSpace((int Position, int Line) start)
+    private void SkipModelSpace((int Position, int Line) start)
     {
         if (_record.Fault is { } fault) log.Add(fault);
         if (!EndsBlock()) ModelSpaceBlocks.Add(start);
-        while (!EndsBlock()) records.PassOver();
+        while (!EndsBlock()) records.SkipSilently();
         if (records.Next == RecordKind.BlockEnd) records.Skip();
     }
 

@@ -26,11 +26,11 @@ internal sealed class DrawingImport
     private readonly PointExpander _points;
     private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
-    private readonly BalanceSheet _balance;
+    private readonly ReadTally _balance;
     private readonly ModelSpaceContent _modelSpace;
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
-    private bool _passing;
+    private bool _skippedSection;
     private int? _lastDefinitions;
     private bool _readTables;
     private bool _readBlocks;
@@ -47,7 +47,7 @@ internal sealed class DrawingImport
         _layers = new LayerTable(_records.Layers);
         var linetypes = new LinetypeTable(_records.Linetypes, _layers);
         _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), new LengthCheck(_layers), linetypes, options.Cut);
-        _balance = new BalanceSheet(_log);
+        _balance = new ReadTally(_log);
         var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
         _definitions = new DefinitionReader(_records, _content, styles, _layers, linetypes, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
@@ -68,7 +68,7 @@ internal sealed class DrawingImport
         }
 
         if (_tags.ZeroBytes() is { Count: > 0 } zeros) _log.Add(DxfRules.ZeroBytes, zeros.Line, _log.Place(zeros.Line), zeros.Count.ToString(CultureInfo.InvariantCulture));
-        if (_records.Truncated) _log.Add(_passing && UnreadRest.IsHarmless(_tags) ? DxfRules.RestUnreadable : DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
+        if (_records.Truncated) _log.Add(_skippedSection && UnreadRemainder.IsHarmless(_tags) ? DxfRules.RestUnreadable : DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
         foreach (var entities in _postponed)
         {
             _tags.Return(entities);
@@ -89,9 +89,9 @@ internal sealed class DrawingImport
         var unit = Unit();
         if (_texts.LeftOut) _log.Add(DxfRules.TextsLeftOut, 0, _texts.Placed.Count.ToString(CultureInfo.InvariantCulture));
         if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
-        if (_modelSpace.OnPaper > 0 && _balance.Taken == 0) _log.Add(DxfRules.AllOnPaper, 0, Wording.Count("Count.Entity", _modelSpace.OnPaper));
+        if (_modelSpace.OnPaper > 0 && _balance.Accepted == 0) _log.Add(DxfRules.AllOnPaper, 0, Wording.Count("Count.Entity", _modelSpace.OnPaper));
         var layers = _layers.ToLayers();
-        return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList())
+        return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToReadBalance(layers.Count), _log.ToList())
         {
             Curves = _curves.Curves,
             Texts = _texts.Placed,
@@ -107,7 +107,7 @@ internal sealed class DrawingImport
         _definitions.Finish();
         var name = _records.EnterSection();
         var damages = _tags.DamageCount;
-        _passing = name is "OBJECTS" or "ACDSDATA" or "THUMBNAILIMAGE";
+        _skippedSection = name is "OBJECTS" or "ACDSDATA" or "THUMBNAILIMAGE";
         switch (name)
         {
             case "HEADER":
@@ -123,14 +123,14 @@ internal sealed class DrawingImport
                 break;
             case "ENTITIES" when IsAheadOfItsBlocks():
                 _postponed.Add(_tags.Bookmark());
-                do _records.PassOver();
+                do _records.SkipSilently();
                 while (!AtSectionEnd());
                 break;
             case "ENTITIES":
                 ReadEntities();
                 break;
             default:
-                PassSection(name, damages);
+                SkipSection(name, damages);
                 break;
         }
 
@@ -152,19 +152,19 @@ internal sealed class DrawingImport
 
     /// <summary>Skips a section of another program, or one without content to cut. Damage in it is reported, as are records that can only be part of a
     /// drawing.</summary>
-    private void PassSection(string name, int damages)
+    private void SkipSection(string name, int damages)
     {
         var (count, first) = (0, 0);
-        for (_records.PassOver(); !AtSectionEnd(); _records.PassOver())
+        for (_records.SkipSilently(); !AtSectionEnd(); _records.SkipSilently())
         {
             if (RecordKinds.IsOfDrawing(_records.Next) && count++ == 0) first = _records.NextLine;
         }
 
         if (count > 0) _log.Add(DxfRules.SectionPassedOver, first, name, Wording.Count("Count.Record", count), _log.Place(first));
-        TellDamage(name, damages);
+        ReportDamage(name, damages);
     }
 
-    private void TellDamage(string section, int damages)
+    private void ReportDamage(string section, int damages)
     {
         if (_tags.DamageCount != damages && !_tags.IsBinary) _log.Add(DxfRules.DamageBesideCurves, _tags.DamageLine, section, _log.Place(_tags.DamageLine), _tags.DamageText);
     }
@@ -173,7 +173,7 @@ internal sealed class DrawingImport
     {
         _records.Skip(_header.Take);
         _text.UseVersion(_header.Version);
-        TellDamage("HEADER", damages);
+        ReportDamage("HEADER", damages);
         while (!AtSectionEnd()) _definitions.Take("HEADER");
         if (_header.CodePage is { } name && !_text.UseCodePage(name)) _log.Add(DxfRules.UnknownCodePage, 0, name);
     }
@@ -214,10 +214,10 @@ internal sealed class DrawingImport
     /// <summary>Reads the content of the block that is model space last, because its inserts need the blocks after it.</summary>
     private void ReadModelSpaceBlock()
     {
-        _records.PassOver();
-        var (line, before) = (_records.NextLine, _balance.Taken);
+        _records.SkipSilently();
+        var (line, before) = (_records.NextLine, _balance.Accepted);
         while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(_modelSpace);
-        var taken = _balance.Taken - before;
+        var taken = _balance.Accepted - before;
         if (taken > 0) _log.Add(DxfRules.ModelSpaceBlock, line, _log.Place(line), Wording.Count("Count.Entity", taken));
     }
 
@@ -237,7 +237,7 @@ internal sealed class DrawingImport
 /// The bytes after the position where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) write objects whose values do not have the length
 /// of their group codes, so that the data after such a value cannot be located; AutoCAD can, because it calls the object's own code.
 /// </summary>
-internal static class UnreadRest
+internal static class UnreadRemainder
 {
     /// <summary>True when the file is complete (EOF is in it) and all its sections of entities and definitions come before the damage that stopped the
     /// reading.</summary>

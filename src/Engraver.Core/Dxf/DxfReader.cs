@@ -12,7 +12,7 @@ namespace Engraver.Core.Dxf;
 public static class DxfReader
 {
     /// <summary>The known entity types, by how they are handled; docs/diagnostics.md lists them.</summary>
-    public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeFates => RecordKinds.Fates();
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeHandling => RecordKinds.Handling();
 
     private const int ShownStart = 24;
 
@@ -29,12 +29,12 @@ public static class DxfReader
     /// <param name="fileName">Name for messages; no file is opened.</param>
     /// <param name="options">The operator's choices.</param>
     /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
-    public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation) => ReadWhole(new WholeBytes(file), fileName, options, cancellation);
+    public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation) => ReadWhole(new LoadedBytes(file), fileName, options, cancellation);
 
     /// <summary>The same for a file that is still being read: a text is parsed while it is read, any other file when it is complete.</summary>
     /// <inheritdoc cref="Read(ReadOnlyMemory{byte}, string, DxfReadOptions, CancellationToken)"/>
     /// <exception cref="IOException">The file cannot be read to its end, or has become shorter.</exception>
-    public static Drawing Read(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    public static Drawing Read(IProgressiveBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(file);
         var length = file.Bytes.Length;
@@ -44,7 +44,7 @@ public static class DxfReader
         return ReadWhole(file, fileName, options, cancellation);
     }
 
-    private static Drawing ReadWhole(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    private static Drawing ReadWhole(IProgressiveBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
     {
         ReadOnlySpan<byte> bytes = file.Bytes;
         if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
@@ -54,7 +54,7 @@ public static class DxfReader
         return Read(TagsOf(file), file, fileName, options, cancellation);
     }
 
-    private static Drawing Read(DxfTagSource tags, IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    private static Drawing Read(DxfTagSource tags, IProgressiveBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(options);
         var import = new DrawingImport(tags, options, cancellation);
@@ -63,11 +63,11 @@ public static class DxfReader
             : Unreadable(fileName, file.Bytes.Length, DxfRules.NotDxf.At(default, Beginning(file.Bytes)));
     }
 
-    private static DxfTagSource TagsOf(IArrivingBytes file)
+    private static DxfTagSource TagsOf(IProgressiveBytes file)
     {
         if (file.Bytes.AsSpan().StartsWith(BinaryTagSource.Sentinel)) return new BinaryTagSource(file);
         var narrowed = WideText.ToUtf8(file.Bytes);
-        return new AsciiTagSource(narrowed is null ? file : new WholeBytes(narrowed)) { IsUtf8 = narrowed is not null || file.Bytes.AsSpan().StartsWith("\uFEFF"u8) };
+        return new AsciiTagSource(narrowed is null ? file : new LoadedBytes(narrowed)) { IsUtf8 = narrowed is not null || file.Bytes.AsSpan().StartsWith("\uFEFF"u8) };
     }
 
     /// <summary>True for a file that can only be a text of one byte per character: a group code of 0 or 999 comes first, with or without blanks before
@@ -87,7 +87,7 @@ public static class DxfReader
         return Wording.Get("DxfReader.NoSection", string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c)));
     }
 
-    private sealed class WholeBytes(ReadOnlyMemory<byte> file) : IArrivingBytes
+    private sealed class LoadedBytes(ReadOnlyMemory<byte> file) : IProgressiveBytes
     {
         public byte[] Bytes { get; } = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
 
@@ -95,17 +95,4 @@ public static class DxfReader
     }
 
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);
-}
-
-/// <summary>The operator's choices before a drawing is read.</summary>
-/// <param name="UnitOverride">The unit to use instead of the file's (its <see cref="LengthUnit.Source"/> is "option"); null uses the file's.</param>
-/// <param name="MaxExpandedCurves">Maximum number of curves and nested inserts that the expansion of blocks may visit in one drawing; an INSERT beyond that is
-/// refused by name.</param>
-/// <param name="Cut">Construction that is cut like curves.</param>
-public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
-{
-    public static DxfReadOptions Default { get; } = new();
-
-    /// <summary>Receives the part of the file that has been read, 0 to 1, about a hundred times, on the reading thread; null for none.</summary>
-    public IProgress<double>? Progress { get; init; }
 }

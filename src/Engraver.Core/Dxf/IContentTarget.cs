@@ -9,7 +9,7 @@ namespace Engraver.Core.Dxf;
 internal interface IContentTarget
 {
     /// <summary>False for records that the target ignores (paper space).</summary>
-    bool Takes(EntityRecord record);
+    bool Accepts(EntityRecord record);
 
     void AddCurve(EntityRecord record, CurveShape shape);
 

@@ -7,12 +7,12 @@ using Engraver.Core.Dxf.Text;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Takes the records of model space: curves are added directly to the drawing's columns, inserts are expanded in their order.</summary>
-internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, PointExpander points, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
+internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, PointExpander points, ConstructionTally construction, ReadTally balance, ImportLog log) : IContentTarget
 {
     /// <summary>Records of paper space that would be cut or shown in model space.</summary>
     public int OnPaper { get; private set; }
 
-    public bool Takes(EntityRecord record)
+    public bool Accepts(EntityRecord record)
     {
         if (!record.InPaperSpace) return true;
         if (record.Type != "VIEWPORT") OnPaper++;
@@ -23,7 +23,7 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
     {
         columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
         balance.AddCut(record);
-        foreach (var oddity in shape.Oddities) log.Add(oddity);
+        foreach (var oddity in shape.Warnings) log.Add(oddity);
     }
 
     public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)
@@ -32,7 +32,7 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
         foreach (var shape in shapes)
         {
             columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
-            foreach (var oddity in shape.Oddities) log.Add(oddity);
+            foreach (var oddity in shape.Warnings) log.Add(oddity);
         }
     }
 

@@ -8,10 +8,10 @@ public static class ArcLength
 
     /// <summary>Deepest halving. At a cusp (speed zero inside the span) each level halves the error, so forty levels reduce it below the rounding of any
     /// drawing.</summary>
-    private const int MostHalvings = 40;
+    private const int MaxHalvings = 40;
 
     /// <summary>Maximum number of halvings of one span in total, for the case that rounding prevents the halves from agreeing.</summary>
-    private const int MostParts = 20_000;
+    private const int MaxParts = 20_000;
 
     /// <summary>Positive half of the ten Gauss-Legendre nodes on [-1, 1].</summary>
     private static readonly double[] Nodes = [0.14887433898163122, 0.43339539412924719, 0.67940956829902441, 0.86506336668898451, 0.97390652851717172];
@@ -31,8 +31,8 @@ public static class ArcLength
     {
         ArgumentNullException.ThrowIfNull(speed);
         var whole = Gauss(speed, from, to);
-        var parts = MostParts;
-        return Refined(speed, from, to, whole, RelativeTolerance * whole, MostHalvings, ref parts);
+        var parts = MaxParts;
+        return Refined(speed, from, to, whole, RelativeTolerance * whole, MaxHalvings, ref parts);
     }
 
     /// <summary>The span moved so that it starts at the origin: rounding of large coordinates would disturb the speed of a very short span, as between two

@@ -10,7 +10,7 @@ public sealed class BezierSpan
 
     /// <summary>A speed or a leg of the control polygon below this part of the span's size (largest distance of a control point from the first) is rounding and
     /// counts as zero.</summary>
-    private const double StandingStill = 1e-10;
+    private const double ZeroSpeedShare = 1e-10;
 
     private readonly double[] _points;
 
@@ -57,7 +57,7 @@ public sealed class BezierSpan
         if (parameter <= 0.0) return StartTangent;
         if (parameter >= 1.0) return EndTangent;
         Evaluate(parameter, out var derivative);
-        var (speed, still) = (derivative.Length, StandingStill * Extent());
+        var (speed, still) = (derivative.Length, ZeroSpeedShare * Extent());
         return speed > still ? derivative * (1.0 / speed) : Part(parameter, 1.0).FirstDirection(0, 1, still);
     }
 

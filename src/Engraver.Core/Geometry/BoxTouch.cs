@@ -4,14 +4,14 @@ namespace Engraver.Core.Geometry;
 public static class BoxTouch
 {
     /// <summary>After this number of halvings a piece of a curve equals its chord within rounding.</summary>
-    private const int MostHalvings = 24;
+    private const int MaxHalvings = 24;
 
     /// <summary>True when any point of the segment is in the box, its border included.</summary>
     public static bool Touches(this Bounds2D box, Segment segment)
     {
         if (box.IsEmpty) return false;
         if (box.Contains(segment.Start) || box.Contains(segment.End)) return true;
-        if (segment.IsFreeCurve) return segment.Curve.Pieces().Any(piece => CurveCrosses(box, piece.Spans[0], MostHalvings));
+        if (segment.IsFreeCurve) return segment.Curve.Pieces().Any(piece => CurveCrosses(box, piece.Spans[0], MaxHalvings));
         return segment.Kind == SegmentKind.Line ? LineCrosses(box, segment.Line) : ArcCrosses(box, segment.Arc);
     }
 

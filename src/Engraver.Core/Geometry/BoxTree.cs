@@ -7,12 +7,12 @@ namespace Engraver.Core.Geometry;
 public sealed class BoxTree
 {
     private const int Fanout = 4;
-    private const int Nobody = int.MaxValue;
+    private const int NoItem = int.MaxValue;
     private readonly int[] _items;
     private readonly int[] _slotOfItem;
     private readonly Bounds2D[][] _boxes;
 
-    /// <summary>For each box the lowest number of a shown item in it; <see cref="Nobody"/> when there is none.</summary>
+    /// <summary>For each box the lowest number of a shown item in it; <see cref="NoItem"/> when there is none.</summary>
     private readonly int[][] _lowest;
 
     private BoxTree(int[] items, Bounds2D[] leaves)
@@ -55,7 +55,7 @@ public sealed class BoxTree
     }
 
     /// <summary>Excludes an item from every result until it is shown again. Hiding it twice has no further effect.</summary>
-    public void Hide(int item) => Set(item, Nobody);
+    public void Hide(int item) => Set(item, NoItem);
 
     public void Show(int item) => Set(item, item);
 
@@ -67,8 +67,8 @@ public sealed class BoxTree
     /// <param name="distance">Distance of the result, or <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D place, Measure measure, double within, out double distance)
     {
-        var best = new Best(-1, within);
-        if (_items.Length > 0 && _lowest[^1][0] != Nobody) Descend(_boxes.Length - 1, 0, place, measure, ref best);
+        var best = new NearestItem(-1, within);
+        if (_items.Length > 0 && _lowest[^1][0] != NoItem) Descend(_boxes.Length - 1, 0, place, measure, ref best);
         distance = best.Distance;
         return best.Item;
     }
@@ -92,7 +92,7 @@ public sealed class BoxTree
         var unions = new Bounds2D[size];
         var minima = new int[size];
         Array.Fill(unions, Bounds2D.Empty);
-        Array.Fill(minima, Nobody);
+        Array.Fill(minima, NoItem);
         for (var i = 0; i < below.Length; i++)
         {
             unions[i / Fanout] = unions[i / Fanout].Union(below[i]);
@@ -125,12 +125,12 @@ public sealed class BoxTree
 
     private static int Lowest(ReadOnlySpan<int> numbers)
     {
-        var lowest = Nobody;
+        var lowest = NoItem;
         foreach (var number in numbers) lowest = Math.Min(lowest, number);
         return lowest;
     }
 
-    private void Descend(int level, int index, Point2D place, Measure measure, ref Best best)
+    private void Descend(int level, int index, Point2D place, Measure measure, ref NearestItem best)
     {
         if (level == 0)
         {
@@ -143,7 +143,7 @@ public sealed class BoxTree
         Span<double> distances = stackalloc double[Fanout];
         for (var i = 0; i < count; i++)
         {
-            distances[i] = _lowest[level - 1][first + i] == Nobody ? double.PositiveInfinity : Distance(_boxes[level - 1][first + i], place);
+            distances[i] = _lowest[level - 1][first + i] == NoItem ? double.PositiveInfinity : Distance(_boxes[level - 1][first + i], place);
         }
 
         for (var visit = 0; visit < count; visit++)
@@ -171,7 +171,7 @@ public sealed class BoxTree
     /// <param name="isAround">True for the items whose box contains the box, false for those whose box overlaps it.</param>
     private void Collect(int level, int index, in Bounds2D box, bool isAround, List<int> found)
     {
-        if (_lowest[level][index] == Nobody || !(isAround ? _boxes[level][index].Contains(box) : Overlap(_boxes[level][index], box))) return;
+        if (_lowest[level][index] == NoItem || !(isAround ? _boxes[level][index].Contains(box) : Overlap(_boxes[level][index], box))) return;
         if (level == 0)
         {
             found.Add(_items[index]);
@@ -182,7 +182,7 @@ public sealed class BoxTree
         for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, isAround, found);
     }
 
-    internal struct Best(int item, double distance)
+    internal struct NearestItem(int item, double distance)
     {
         public int Item { get; private set; } = item;
 

@@ -6,13 +6,13 @@ public static class CurveBounds
     /// <summary>Largest distance by which the true curve may exceed the box, as a part of the span's size.</summary>
     private const double RelativeTolerance = 1e-13;
 
-    private const int MostHalvings = 50;
+    private const int MaxHalvings = 50;
 
     public static Bounds2D Including(Bounds2D box, BezierSpan span)
     {
         var hull = Hull(span);
         var slack = RelativeTolerance * (hull.Width + hull.Height + Math.Abs(hull.MinX) + Math.Abs(hull.MinY));
-        return Grow(box, span, hull, slack, MostHalvings);
+        return Grow(box, span, hull, slack, MaxHalvings);
     }
 
     /// <summary>The box of the control points; the curve cannot leave it.</summary>

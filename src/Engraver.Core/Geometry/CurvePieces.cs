@@ -7,16 +7,16 @@ public static class CurvePieces
     /// <summary>Largest distance of a control point from the chord, as a part of the chord.</summary>
     private const double Flatness = 0.1;
 
-    private const int MostHalvings = 14;
+    private const int MaxHalvings = 14;
 
     /// <summary>Smallest cosine of the angle between a leg of the control polygon and the chord.</summary>
-    private const double LeastAlong = 0.85;
+    private const double MinAlong = 0.85;
 
     /// <summary>Longest leg of the control polygon as a multiple of the average, and largest weight as a multiple of the smallest.</summary>
     private const double Evenness = 3.0;
 
     /// <summary>The size of a piece smaller than this part of its coordinates is rounding; it is not divided.</summary>
-    private const double Speck = 1e-12;
+    private const double NegligibleLength = 1e-12;
 
     /// <summary>Lines, arcs and circles unchanged, every curve as its pieces.</summary>
     public static IReadOnlyList<Segment> Split(IReadOnlyList<Segment> segments)
@@ -35,13 +35,13 @@ public static class CurvePieces
     internal static RationalCurve[] Split(RationalCurve curve)
     {
         var pieces = new List<RationalCurve>();
-        foreach (var span in curve.Spans) Divide(curve.Kind, span, MostHalvings, pieces);
+        foreach (var span in curve.Spans) Divide(curve.Kind, span, MaxHalvings, pieces);
         return [.. pieces];
     }
 
     private static void Divide(SegmentKind kind, BezierSpan span, int halvings, List<RationalCurve> pieces)
     {
-        if (halvings == 0 || IsSpeck(span) || (IsFlat(span) && IsEven(span)))
+        if (halvings == 0 || IsNegligible(span) || (IsFlat(span) && IsEven(span)))
         {
             pieces.Add(new RationalCurve(kind, [span]));
             return;
@@ -52,10 +52,10 @@ public static class CurvePieces
         Divide(kind, second, halvings - 1, pieces);
     }
 
-    private static bool IsSpeck(BezierSpan span)
+    private static bool IsNegligible(BezierSpan span)
     {
         var (hull, start) = (CurveBounds.Hull(span), span.Start);
-        return hull.Width + hull.Height <= Speck * (Math.Abs(start.X) + Math.Abs(start.Y));
+        return hull.Width + hull.Height <= NegligibleLength * (Math.Abs(start.X) + Math.Abs(start.Y));
     }
 
     /// <summary>True when no control point is far from the chord and no leg of the control polygon far from its direction.</summary>
@@ -66,7 +66,7 @@ public static class CurvePieces
         for (var i = 1; i <= span.Degree; i++)
         {
             var leg = span.Control(i) - span.Control(i - 1);
-            if (leg.Dot(way) < LeastAlong * leg.Length * length) return false;
+            if (leg.Dot(way) < MinAlong * leg.Length * length) return false;
             if (i < span.Degree && chord.DistanceTo(span.Control(i)) > Flatness * length) return false;
         }
 

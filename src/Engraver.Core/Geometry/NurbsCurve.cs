@@ -97,7 +97,7 @@ public sealed class NurbsCurve
             for (var j = i; j > i - p + level - 1; j--)
             {
                 var (low, high) = (_knots[j], _knots[j + p - level + 1]);
-                Mix(work, j - i + p - 1, j - i + p, (high - a) / (high - low), j - i + p);
+                Interpolate(work, j - i + p - 1, j - i + p, (high - a) / (high - low), j - i + p);
             }
 
             work.AsSpan(p * BezierSpan.Stride).CopyTo(tail.AsSpan((p - level) * BezierSpan.Stride));
@@ -118,14 +118,14 @@ public sealed class NurbsCurve
             for (var m = 0; m < p - level; m++)
             {
                 var high = _knots[i + m + 1];
-                Mix(points, m, m + 1, (high - b) / (high - a), m);
+                Interpolate(points, m, m + 1, (high - b) / (high - a), m);
             }
         }
 
         return span;
     }
 
-    private static void Mix(double[] points, int first, int second, double share, int into)
+    private static void Interpolate(double[] points, int first, int second, double share, int into)
     {
         for (var axis = 0; axis < BezierSpan.Stride; axis++)
         {

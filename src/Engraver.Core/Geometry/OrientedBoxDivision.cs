@@ -11,7 +11,7 @@ internal sealed class OrientedBoxDivision
     private const double WeighedMargin = 1e-5;
 
     /// <summary>The boxes have a common direction when the length of the sum of their directions is at least this part of the sum of their lengths.</summary>
-    private const double LeastCommon = 0.5;
+    private const double MinCommon = 0.5;
 
     private readonly OrientedBox[] _boxes;
     private readonly int[] _order;
@@ -221,7 +221,7 @@ internal sealed class OrientedBoxDivision
 
         public readonly CourseFrame Frame() => new(_origin, IsCommon ? Along() : _longest, IsCommon);
 
-        private readonly bool IsCommon => (_cos * _cos) + (_sin * _sin) > LeastCommon * LeastCommon * _weight * _weight;
+        private readonly bool IsCommon => (_cos * _cos) + (_sin * _sin) > MinCommon * MinCommon * _weight * _weight;
 
         private readonly Vector2D Along() => _weight > 0.0 ? HalfOf(_cos, _sin) : _longest;
 

@@ -34,7 +34,7 @@ public sealed class OrientedBoxTree
     /// <param name="distance">Distance of the result, or <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D place, BoxTree.Measure measure, double within, double enough, out double distance)
     {
-        var best = new BoxTree.Best(-1, within);
+        var best = new BoxTree.NearestItem(-1, within);
         if (_nodes.Count > 0) Descend(0, place, measure, enough, ref best);
         distance = best.Distance;
         return best.Item;
@@ -49,7 +49,7 @@ public sealed class OrientedBoxTree
         return ComesNear(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), counts);
     }
 
-    private void Descend(int index, Point2D place, BoxTree.Measure measure, double enough, ref BoxTree.Best best)
+    private void Descend(int index, Point2D place, BoxTree.Measure measure, double enough, ref BoxTree.NearestItem best)
     {
         var node = _nodes[index];
         if (node.IsLeaf)
@@ -72,7 +72,7 @@ public sealed class OrientedBoxTree
         if (toFar <= best.Distance && !IsEnough(best, enough)) Descend(far, place, measure, enough, ref best);
     }
 
-    private static bool IsEnough(in BoxTree.Best best, double enough) => best.Item >= 0 && best.Distance <= enough;
+    private static bool IsEnough(in BoxTree.NearestItem best, double enough) => best.Item >= 0 && best.Distance <= enough;
 
     private bool ComesNear<TQuery>(int index, in TQuery query, Predicate<int>? counts)
         where TQuery : struct, IBoxQuery

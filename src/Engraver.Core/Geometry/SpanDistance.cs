@@ -9,12 +9,12 @@ namespace Engraver.Core.Geometry;
 /// </remarks>
 internal static class SpanDistance
 {
-    private const int MostHalvings = 48;
+    private const int MaxHalvings = 48;
 
     /// <summary>Maximum number of parts in one query, for the case that rounding leaves halves undecided.</summary>
-    private const int MostParts = 2000;
+    private const int MaxParts = 2000;
 
-    private const int MostSteps = 60;
+    private const int MaxSteps = 60;
 
     private const double ParameterKnown = 1e-14;
 
@@ -37,14 +37,14 @@ internal static class SpanDistance
             (x[i], y[i], w[i]) = (span.Homogeneous[i * BezierSpan.Stride] - (place.X * weight), span.Homogeneous[(i * BezierSpan.Stride) + 1] - (place.Y * weight), weight);
         }
 
-        var search = new Search { Best = bound, Noise = Rounding * (Math.Abs(place.X) + Math.Abs(place.Y)), Parts = MostParts, IsRational = w.ContainsAnyExcept(w[0]) };
+        var search = new SpanSearch { Best = bound, Noise = Rounding * (Math.Abs(place.X) + Math.Abs(place.Y)), Parts = MaxParts, IsRational = w.ContainsAnyExcept(w[0]) };
         search.Take(x[0], y[0], w[0]);
         search.Take(x[^1], y[^1], w[^1]);
-        search.Look(x, y, w, MostHalvings);
+        search.Examine(x, y, w, MaxHalvings);
         return search.Best;
     }
 
-    private struct Search
+    private struct SpanSearch
     {
         public double Best;
         public double Noise;
@@ -54,7 +54,7 @@ internal static class SpanDistance
         public void Take(double x, double y, double weight) => Best = Math.Min(Best, double.Hypot(x, y) / weight);
 
         /// <summary>Searches a part for points nearer than the best so far; its ends have been measured.</summary>
-        public void Look(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, int halvings)
+        public void Examine(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, int halvings)
         {
             var least = Best - (DistanceKnown * Best) - Noise;
             if (!(least > 0.0) || --Parts < 0) return;
@@ -63,7 +63,7 @@ internal static class SpanDistance
             Span<double> weight = stackalloc double[degree + 1];
             Scale(w, weight);
             SquaredDistance(x, y, squared);
-            if (IsNowhereNearer(squared, weight, least)) return;
+            if (CannotBeNearer(squared, weight, least)) return;
             Span<double> slope = stackalloc double[IsRational ? 3 * degree : 2 * degree];
             Slope(squared, weight, slope);
             var changes = Bernstein.SignChanges(slope, out var first);
@@ -87,7 +87,7 @@ internal static class SpanDistance
             Bernstein.AddProduct(scaled, scaled, 1.0, squared);
         }
 
-        private static bool IsNowhereNearer(ReadOnlySpan<double> squared, ReadOnlySpan<double> weight, double least)
+        private static bool CannotBeNearer(ReadOnlySpan<double> squared, ReadOnlySpan<double> weight, double least)
         {
             Span<double> excess = stackalloc double[squared.Length];
             squared.CopyTo(excess);
@@ -121,7 +121,7 @@ internal static class SpanDistance
         private void TakeFoot(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w)
         {
             var (low, high, parameter, before) = (0.0, 1.0, 0.5, double.PositiveInfinity);
-            for (var step = 0; step < MostSteps; step++)
+            for (var step = 0; step < MaxSteps; step++)
             {
                 var (ahead, speed) = At(x, y, w, parameter);
                 if (ahead == 0.0) return;
@@ -168,8 +168,8 @@ internal static class SpanDistance
             Halve(y, halves[count..(2 * count)], halves[(4 * count)..(5 * count)]);
             Halve(w, halves[(2 * count)..(3 * count)], halves[(5 * count)..]);
             Take(halves[3 * count], halves[4 * count], halves[5 * count]);
-            Look(halves[..count], halves[count..(2 * count)], halves[(2 * count)..(3 * count)], halvings);
-            Look(halves[(3 * count)..(4 * count)], halves[(4 * count)..(5 * count)], halves[(5 * count)..], halvings);
+            Examine(halves[..count], halves[count..(2 * count)], halves[(2 * count)..(3 * count)], halvings);
+            Examine(halves[(3 * count)..(4 * count)], halves[(4 * count)..(5 * count)], halves[(5 * count)..], halvings);
         }
 
         private static void Halve(ReadOnlySpan<double> points, Span<double> first, Span<double> second)

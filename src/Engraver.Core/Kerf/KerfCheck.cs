@@ -13,8 +13,8 @@ internal sealed class KerfCheck
     /// <summary>Number of sample points on a drawn segment per radius of its length, and the minimum and maximum for a segment.</summary>
     private const double StepsPerRadius = 8.0;
 
-    private const int FewestSteps = 4;
-    private const int MostSteps = 200;
+    private const int MinSteps = 4;
+    private const int MaxSteps = 200;
 
     private readonly IReadOnlyList<OffsetContour> _drawn;
     private readonly IReadOnlyList<OffsetLoop> _loops;
@@ -34,7 +34,7 @@ internal sealed class KerfCheck
 
     /// <summary>The point of the path whose distance differs most from the radius, and by how much; null when none differs by more than the
     /// tolerance.</summary>
-    public (Point2D Place, double Distance, int Contour)? FarthestOff()
+    public (Point2D Place, double Distance, int Contour)? MaxDeviation()
     {
         var worst = default((Point2D, double Off, int)?);
         foreach (var loop in _loops)
@@ -82,7 +82,7 @@ internal sealed class KerfCheck
     {
         for (var i = 0; i < segments.Count; i++)
         {
-            var steps = Math.Clamp((int)Math.Min(MostSteps, segments[i].Length * StepsPerRadius / _options.Radius), FewestSteps, MostSteps);
+            var steps = Math.Clamp((int)Math.Min(MaxSteps, segments[i].Length * StepsPerRadius / _options.Radius), MinSteps, MaxSteps);
             for (var step = 0; step < steps; step++)
             {
                 var place = step == 0 ? segments[i].Start : segments[i].PointAt((double)step / steps);

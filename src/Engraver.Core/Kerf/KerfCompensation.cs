@@ -7,18 +7,11 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Kerf;
 
-/// <summary>A job compensated for the radius of its tool.</summary>
-/// <param name="Table">The analysed table of the path of the tool's centre; every row has the entity as which it was drawn.</param>
-/// <param name="Uncut">Material that the tool does not reach, largest first.</param>
-/// <param name="KeepsOpen">Open contours are cut on their line.</param>
-/// <param name="Diagnostics">Findings, of rules KRF0001 to KRF0007.</param>
-public sealed record KerfResult(EntityTable Table, IReadOnlyList<UncutPlace> Uncut, bool KeepsOpen, IReadOnlyList<Diagnostic> Diagnostics);
-
 /// <summary>The stage between the drawing and the path of the tool's centre: contours at the distance of its radius, as lines and arcs.</summary>
 public static class KerfCompensation
 {
     /// <summary>Maximum number of findings with one place each; more are summarized.</summary>
-    private const int MostPlaces = 20;
+    private const int MaxPlaces = 20;
 
     /// <param name="chained">The drawing, chained to contours.</param>
     /// <param name="options">Side and tool.</param>
@@ -26,7 +19,7 @@ public static class KerfCompensation
     {
         ArgumentNullException.ThrowIfNull(options);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.ToolDiameterMm);
-        var work = new KerfWork(chained, options);
+        var work = new CompensatedTableBuilder(chained, options);
         foreach (var group in Groups(work.Contours, options.Side)) work.Add(group);
         var open = options.Side is KerfSide.Left or KerfSide.Right ? 0 : work.KeepOpen();
         IReadOnlyList<UncutPlace> uncut = [.. work.Uncut.OrderByDescending(place => place.Uncut)];
@@ -42,8 +35,8 @@ public static class KerfCompensation
 
     private static IEnumerable<Diagnostic> Findings(IReadOnlyList<UncutPlace> uncut, int open, KerfOptions options, Drawing? drawing)
     {
-        foreach (var place in uncut.Take(MostPlaces)) yield return (place.IsWhole ? KerfRules.TooNarrow : KerfRules.CornerUncut).At(SourceOf(drawing, place.Entity), FactText.Of(place.Place.X), FactText.Of(place.Place.Y), FactText.Of(place.IsWhole ? options.ToolDiameterMm : place.Uncut));
-        if (uncut.Count > MostPlaces) yield return KerfRules.MoreUncut.At(default, FactText.Of(uncut.Count - MostPlaces), FactText.Of(uncut[MostPlaces].Uncut));
+        foreach (var place in uncut.Take(MaxPlaces)) yield return (place.IsWhole ? KerfRules.TooNarrow : KerfRules.CornerUncut).At(SourceOf(drawing, place.Entity), FactText.Of(place.Place.X), FactText.Of(place.Place.Y), FactText.Of(place.IsWhole ? options.ToolDiameterMm : place.Uncut));
+        if (uncut.Count > MaxPlaces) yield return KerfRules.MoreUncut.At(default, FactText.Of(uncut.Count - MaxPlaces), FactText.Of(uncut[MaxPlaces].Uncut));
         if (open > 0) yield return KerfRules.OpenOnLine.At(default, FactText.Of(open));
     }
 
@@ -51,7 +44,7 @@ public static class KerfCompensation
 }
 
 /// <summary>The compensated table while it is built.</summary>
-internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
+internal sealed class CompensatedTableBuilder(ChainedTable chained, KerfOptions options)
 {
     public IReadOnlyList<OffsetContour> Contours { get; } = DrawnContours.From(chained);
 
@@ -76,7 +69,7 @@ internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
         foreach (var place in offset.Unresolved) Fault(KerfRules.NotCompensated, group[0], place);
         foreach (var loop in offset.Loops.OrderBy(loop => loop.Sources.Min(source => RowOf(group[source.Contour], source.Segment)))) Append(loop, group);
         var check = new KerfCheck(drawn, offset.Loops, options);
-        if (check.FarthestOff() is { } off) Fault(KerfRules.WrongDistance, group[off.Contour], off.Place, FactText.Of(off.Distance));
+        if (check.MaxDeviation() is { } off) Fault(KerfRules.WrongDistance, group[off.Contour], off.Place, FactText.Of(off.Distance));
         for (var i = 0; i < group.Length; i++) Uncut.AddRange(check.UncutOf(i, segment => EntityOf(group[i], segment)));
     }
 

@@ -13,11 +13,11 @@ namespace Engraver.Core.Languages;
 public sealed class LanguageFile
 {
     private const string Folder = "Engraver.Core.Languages.Texts.";
-    private const string Ending = ".json";
+    private const string FileExtension = ".json";
 
     private static readonly FrozenDictionary<string, Lazy<LanguageFile>> s_files = Assembly.GetExecutingAssembly().GetManifestResourceNames()
-        .Where(name => name.StartsWith(Folder, StringComparison.Ordinal) && name.EndsWith(Ending, StringComparison.Ordinal))
-        .ToFrozenDictionary(name => name[Folder.Length..^Ending.Length], name => new Lazy<LanguageFile>(() => Load(name)), StringComparer.OrdinalIgnoreCase);
+        .Where(name => name.StartsWith(Folder, StringComparison.Ordinal) && name.EndsWith(FileExtension, StringComparison.Ordinal))
+        .ToFrozenDictionary(name => name[Folder.Length..^FileExtension.Length], name => new Lazy<LanguageFile>(() => Load(name)), StringComparer.OrdinalIgnoreCase);
 
     private readonly FrozenDictionary<string, string> _texts;
 
@@ -58,6 +58,6 @@ public sealed class LanguageFile
     {
         using var stream = Assembly.GetExecutingAssembly().GetManifestResourceStream(resource)!;
         using var json = JsonDocument.Parse(stream);
-        return new LanguageFile(resource[Folder.Length..^Ending.Length], json.RootElement.EnumerateObject().ToFrozenDictionary(text => text.Name, text => text.Value.GetString()!, StringComparer.Ordinal));
+        return new LanguageFile(resource[Folder.Length..^FileExtension.Length], json.RootElement.EnumerateObject().ToFrozenDictionary(text => text.Name, text => text.Value.GetString()!, StringComparer.Ordinal));
     }
 }

@@ -13,7 +13,7 @@ public static class PseudoLanguage
     private const string Large = "ÅƁÇÐÉƑĜĤÎĴĶĻḾÑÖÞǪŔŠŢÛṼŴẊÝŽ";
 
     /// <summary>True when this language is the current one.</summary>
-    public static bool IsSpoken => string.Equals(CultureInfo.CurrentUICulture.Name, CultureName, StringComparison.OrdinalIgnoreCase);
+    public static bool IsCurrent => string.Equals(CultureInfo.CurrentUICulture.Name, CultureName, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Formats facts as the invariant culture does and marks those that have letters.</summary>
     internal static IFormatProvider Facts { get; } = new FactFormat();
@@ -42,7 +42,7 @@ public static class PseudoLanguage
     }
 
     /// <summary>Every word of plain letters outside of marks and [brackets]; a test expects none.</summary>
-    public static IReadOnlyList<string> Unspoken(string text)
+    public static IReadOnlyList<string> UnmarkedWords(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
         var found = new List<string>();

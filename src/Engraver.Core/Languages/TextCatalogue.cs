@@ -21,12 +21,12 @@ public sealed class TextCatalogue(Assembly assembly, string resource)
     /// <summary>Null when no text has that name.</summary>
     public string? Find(string name)
     {
-        if (PseudoLanguage.IsSpoken) return English(name) is { } english ? PseudoLanguage.Write(english) : null;
+        if (PseudoLanguage.IsCurrent) return English(name) is { } english ? PseudoLanguage.Write(english) : null;
         return LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(_project, name) ?? English(name);
     }
 
     /// <summary>The text with its facts at {0}, {1} ...; the part after a colon there is the format of a number.</summary>
-    public string Get(string name, params object?[] facts) => string.Format(PseudoLanguage.IsSpoken ? PseudoLanguage.Facts : CultureInfo.InvariantCulture, Get(name), facts);
+    public string Get(string name, params object?[] facts) => string.Format(PseudoLanguage.IsCurrent ? PseudoLanguage.Facts : CultureInfo.InvariantCulture, Get(name), facts);
 
     /// <summary>A number with its noun: <c>NAME.One</c> for one, <c>NAME.Many</c> for every other number.</summary>
     public string Count(string name, int count) => Get(name + (count == 1 ? ".One" : ".Many"), count);
@@ -34,5 +34,5 @@ public sealed class TextCatalogue(Assembly assembly, string resource)
     private string? English(string name) => _texts.GetString(name, CultureInfo.InvariantCulture);
 
     /// <summary>A fact that another class inserts into texts, such as a name in a list; marked as one in the pseudo-language, otherwise unchanged.</summary>
-    public static string Fact(string fact) => PseudoLanguage.IsSpoken ? PseudoLanguage.Mark(fact) : fact;
+    public static string Fact(string fact) => PseudoLanguage.IsCurrent ? PseudoLanguage.Mark(fact) : fact;
 }

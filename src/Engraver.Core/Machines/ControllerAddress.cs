@@ -94,60 +94,10 @@ public abstract record ControllerAddress
 
     private static SimulatedAddress? Simulated(string query)
     {
-        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = query.Length > 0 };
+        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity) { HasExplicitSpeed = query.Length > 0 };
         return query.StartsWith("speed=", StringComparison.Ordinal)
             && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0 && double.IsFinite(speed)
             ? new SimulatedAddress(speed)
             : null;
     }
-}
-
-/// <param name="Device">Device path or port name.</param>
-/// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
-/// <param name="Flow">Flow control.</param>
-public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress
-{
-    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"serial://{Device}?baud={Baud}{Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}");
-}
-
-/// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
-public sealed record SimulatedAddress(double Speed) : ControllerAddress
-{
-    /// <summary>False for <c>sim:</c> without a speed: the connect command then uses the speed of its session.</summary>
-    public bool SaysSpeed { get; init; } = true;
-
-    public override string Typed => double.IsPositiveInfinity(Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={Speed}");
-}
-
-public sealed record TcpAddress(string Host, int Port) : ControllerAddress
-{
-    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"tcp://{Host}:{Port}");
-}
-
-/// <summary>Flow control of a serial line.</summary>
-public enum SerialFlow : byte
-{
-    /// <summary>The lines RTS and CTS, which the controller expects; without them characters are lost in bursts (galil-dmc.md A.2).</summary>
-    RtsCts,
-
-    /// <summary>None, for a three-wire cable.</summary>
-    None,
-
-    /// <summary>The characters Ctrl-S and Ctrl-Q. This damages binary records (QR).</summary>
-    XonXoff,
-}
-
-/// <summary>Properties of a serial line: one connection for all traffic, an echo of each character while EO is 1, and a transmission time for every
-/// byte.</summary>
-/// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
-public sealed record SerialLine(int Baud)
-{
-    /// <summary>The rates of galil-dmc.md A.2.</summary>
-    public static IReadOnlyList<int> Rates { get; } = [1200, 9600, 19200, 38400, 57600, 115200];
-
-    /// <summary>Seconds for one byte: a start bit, eight data bits, a stop bit.</summary>
-    public double ByteSeconds => 10.0 / Baud;
-
-    /// <summary>Time for a number of bytes.</summary>
-    public TimeSpan Time(long bytes) => TimeSpan.FromSeconds(bytes * ByteSeconds);
 }

@@ -11,10 +11,10 @@ namespace Engraver.Core.Machines;
 public readonly record struct CountsScale(AxisScale X, AxisScale Y, AxisScale Z = default)
 {
     /// <summary>A point farther from the drawing's zero is not a whole number of counts in a double.</summary>
-    public const double MostCounts = 1L << 52;
+    public const double MaxCounts = 1L << 52;
 
     /// <summary>True when a circle in millimetres is a circle in counts; otherwise it is an ellipse, which CR cannot cut.</summary>
-    public bool KeepsCircles => X.CountsOf(1.0) == Y.CountsOf(1.0);
+    public bool IsUniform => X.CountsOf(1.0) == Y.CountsOf(1.0);
 
     /// <summary>The coarser axis of the plane, whose count is the longest; not mirrored. A feed converted with it is not exceeded in any direction.</summary>
     public AxisScale Coarser => new(Math.Min(X.CountsOf(1.0), Y.CountsOf(1.0)));
@@ -28,7 +28,7 @@ public readonly record struct CountsScale(AxisScale X, AxisScale Y, AxisScale Z 
     /// <summary>From counts per millimetre; negative mirrors, 0 for no Z axis.</summary>
     public static CountsScale From(double x, double y, double z = 0.0) => new(new AxisScale(x), new AxisScale(y), new AxisScale(z));
 
-    /// <summary>Rounds half away from zero. The caller first ensures that the point can be counted (<see cref="Holds"/>, <see cref="Counts"/>).</summary>
+    /// <summary>Rounds half away from zero. The caller first ensures that the point can be counted (<see cref="IsInRange"/>, <see cref="Counts"/>).</summary>
     public static CountsPoint Round(Point2D exact) => new(
         checked((long)Math.Round(exact.X, MidpointRounding.AwayFromZero)),
         checked((long)Math.Round(exact.Y, MidpointRounding.AwayFromZero)));
@@ -49,7 +49,7 @@ public readonly record struct CountsScale(AxisScale X, AxisScale Y, AxisScale Z 
     public double ToMillimetres(double z) => Z.IsNone ? 0.0 : Z.ToMillimetres(z);
 
     /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; each reverses the sweep.</summary>
-    /// <remarks>Only when <see cref="KeepsCircles"/>.</remarks>
+    /// <remarks>Only when <see cref="IsUniform"/>.</remarks>
     public ArcSegment Exact(ArcSegment millimetres)
     {
         var start = X.IsMirrored ? Angle.FromDegrees(180.0) - millimetres.Start : millimetres.Start;
@@ -60,16 +60,16 @@ public readonly record struct CountsScale(AxisScale X, AxisScale Y, AxisScale Z 
 
     /// <summary>True when a point of the drawing, millimetres, is near enough to its zero to be a whole number of counts: a double holds one only below
     /// 2^53.</summary>
-    public bool Counts(Point2D millimetres) => Math.Abs(X.Exact(millimetres.X)) < MostCounts && Math.Abs(Y.Exact(millimetres.Y)) < MostCounts;
+    public bool Counts(Point2D millimetres) => Math.Abs(X.Exact(millimetres.X)) < MaxCounts && Math.Abs(Y.Exact(millimetres.Y)) < MaxCounts;
 
     /// <summary>True when every point of the box (millimetres) fits int32 in counts from <paramref name="origin"/>, the range of a controller.</summary>
-    public bool Holds(Bounds2D millimetres, CountsPoint origin) =>
+    public bool IsInRange(Bounds2D millimetres, CountsPoint origin) =>
         Fits(X.Exact(millimetres.MinX), origin.X) && Fits(X.Exact(millimetres.MaxX), origin.X) && Fits(Y.Exact(millimetres.MinY), origin.Y) && Fits(Y.Exact(millimetres.MaxY), origin.Y);
 
     /// <summary>True when a height fits int32 in counts.</summary>
-    public bool HoldsHeight(double millimetres) => Fits(Z.Exact(millimetres), 0);
+    public bool IsHeightInRange(double millimetres) => Fits(Z.Exact(millimetres), 0);
 
-    private static bool Fits(double counts, long origin) => Math.Abs(counts) < MostCounts && Math.Abs(counts - origin) < int.MaxValue;
+    private static bool Fits(double counts, long origin) => Math.Abs(counts) < MaxCounts && Math.Abs(counts - origin) < int.MaxValue;
 
     private static double Square(AxisScale axis) => axis.CountsPerMillimetre * axis.CountsPerMillimetre;
 }
@@ -109,23 +109,4 @@ public readonly record struct AxisScale(double CountsPerMillimetre)
     /// <param name="counts">Of the move, above 0.</param>
     /// <param name="millimetres">Its length, above 0.</param>
     public AxisScale Measured(double counts, double millimetres) => new(Math.CopySign(counts / millimetres, CountsPerMillimetre));
-}
-
-/// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0;
-/// the controller's own zero may be elsewhere. A controller holds 32 bits; a drawing may be farther from its own zero.</summary>
-/// <param name="Z">Counts of the tool's axis. Up is positive where its counts per millimetre are positive; 0 on a machine without one.</param>
-public readonly record struct CountsPoint(long X, long Y, int Z = 0)
-{
-    /// <summary>Counts of the axis with this index in <see cref="MachineAxes.All"/>.</summary>
-    public long this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
-
-    /// <summary>From the values that a controller reports for its axes in order; a missing axis counts 0.</summary>
-    public static CountsPoint From(ReadOnlySpan<double> axes) => new((int)axes[0], axes.Length > 1 ? (int)axes[1] : 0, axes.Length > 2 ? (int)axes[2] : 0);
-
-    public static CountsPoint operator +(CountsPoint left, CountsPoint right) => new(left.X + right.X, left.Y + right.Y, left.Z + right.Z);
-
-    public static CountsPoint operator -(CountsPoint left, CountsPoint right) => new(left.X - right.X, left.Y - right.Y, left.Z - right.Z);
-
-    /// <summary>True when the position in plan is the same, at any height.</summary>
-    public bool IsBeside(CountsPoint other) => (X, Y) == (other.X, other.Y);
 }

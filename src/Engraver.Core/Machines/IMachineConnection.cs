@@ -20,17 +20,17 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Reads the present state of an idle machine once.</summary>
     /// <param name="axes">The axes that a job moves.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
-    ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation);
+    ValueTask<MachineReading> ReadStatusAsync(MachineAxes axes, CancellationToken cancellation);
 
     /// <summary>Reads the position of the machine and the values that show whether the controller still counts from the same zero.</summary>
     /// <param name="axes">The axes that move the drawing's X and Y.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
-    ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation);
+    ValueTask<ControllerPosition> ReadPositionAsync(MachineAxes axes, CancellationToken cancellation);
 
     /// <summary>Stores a number in the controller that is lost when the controller is switched off or reset.</summary>
     /// <returns>False when the controller does not accept it.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation);
+    ValueTask<bool> StoreMarkAsync(int mark, CancellationToken cancellation);
 
     /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted the stop, not when the machine is at
     /// rest.</summary>
@@ -55,7 +55,7 @@ public interface IMachineConnection : IAsyncDisposable
 
     /// <summary>Sends a line that an operator typed in the controller's own language, and returns the replies.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation);
+    Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation);
 
     /// <summary>Takes text that programs in the controller have printed since the last call.</summary>
     bool TryTakeMessage([NotNullWhen(true)] out string? message);
@@ -70,7 +70,7 @@ public interface IMachineConnection : IAsyncDisposable
     /// <param name="journal">Path of the journal.</param>
     /// <returns>The place, or the reason why there is none.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation);
+    Task<ResumePosition> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation);
 
     /// <summary>Moves the machine without cutting, tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
     /// <param name="program">Has no strokes; supplies the machine, and its position in the frame in which progress is reported.</param>
@@ -103,17 +103,3 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Planned seconds of a program over this link.</summary>
     double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy);
 }
-
-/// <summary>What a connection can do. A capability that is null does not exist, so a caller can check it instead of calling a method that throws.</summary>
-/// <param name="IsSingleWire">All traffic uses one connection: the machine cannot be observed during a job.</param>
-/// <param name="Jog">Motion while a key is held; null where it is not offered.</param>
-/// <param name="Hold">A job can be held and resumed; null where it is not offered.</param>
-/// <param name="Override">The feed of a running job can be changed; null where it is not offered.</param>
-public sealed record MachineCapabilities(bool IsSingleWire, SpeedRange? Jog = null, HoldCapability? Hold = null, SpeedRange? Override = null);
-
-/// <summary>Speeds that a capability allows: counts/s for a jog, factors of the programmed feed for an override.</summary>
-public sealed record SpeedRange(double Slowest, double Fastest);
-
-/// <summary>How a job is held.</summary>
-/// <param name="ToolGoesOff">The tool is off during a hold, and on again before the job resumes.</param>
-public sealed record HoldCapability(bool ToolGoesOff);

@@ -11,11 +11,11 @@ public interface IMachineTerminal : IAsyncDisposable
     IReadOnlyList<string> History { get; }
 
     /// <summary>Whether a typed line ends the conversation.</summary>
-    bool Ends(string line);
+    bool IsExitLine(string line);
 
     /// <summary>Answers one line: first the text that programs have printed so far, then the reply itself.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation);
+    Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation);
 
     /// <summary>Text that programs have printed since the last reply.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

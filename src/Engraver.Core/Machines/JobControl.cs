@@ -12,8 +12,8 @@ public sealed class JobControl
     private double _feed = 1.0;
     private double _rapid = 1.0;
     private JobPhase _phase;
-    private HeldMove? _move;
-    private bool _isOver;
+    private MoveInHold? _move;
+    private bool _isCompleted;
     private string? _stopReason;
 
     /// <summary>Factors of the programmed feed that an operator may request.</summary>
@@ -99,7 +99,7 @@ public sealed class JobControl
     }
 
     /// <summary>The hand move that was requested of the held job and has not ended; null for none.</summary>
-    public HeldMove? Move
+    public MoveInHold? Move
     {
         get
         {
@@ -109,12 +109,12 @@ public sealed class JobControl
 
     /// <summary>Moves the machine of a held job by hand, tool off or raised; a resume returns to where the job was held.</summary>
     /// <returns>How the move ended; refused where the job is not held at standstill, or another move is in progress.</returns>
-    public Task<JobResult> MoveAsync(HeldMove move)
+    public Task<JobResult> MoveAsync(MoveInHold move)
     {
         ArgumentNullException.ThrowIfNull(move);
         lock (_guard)
         {
-            if (_phase != JobPhase.Held || !_isHoldWanted || _isOver) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.NotHeld")));
+            if (_phase != JobPhase.Held || !_isHoldWanted || _isCompleted) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.NotHeld")));
             if (_move is not null) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.MoveNotFinished")));
             _move = move;
         }
@@ -123,11 +123,11 @@ public sealed class JobControl
     }
 
     /// <summary>Called by the job: the requested move has ended.</summary>
-    public void MoveEnds(JobResult result)
+    public void CompleteMove(JobResult result)
     {
-        HeldMove? ended;
+        MoveInHold? ended;
         lock (_guard) (ended, _move) = (_move, null);
-        ended?.End(result);
+        ended?.Complete(result);
     }
 
     /// <summary>Called by the job.</summary>
@@ -137,27 +137,12 @@ public sealed class JobControl
     }
 
     /// <summary>Called by the job: it has ended, together with any requested move.</summary>
-    public void Over(JobResult result)
+    public void Complete(JobResult result)
     {
-        lock (_guard) _isOver = true;
-        MoveEnds(result);
+        lock (_guard) _isCompleted = true;
+        CompleteMove(result);
     }
 
     private static double Within(SpeedRange range, double value) =>
-        double.IsNaN(value) ? throw new ArgumentException("A ratio is a number.", nameof(value)) : Math.Clamp(value, range.Slowest, range.Fastest);
-}
-
-/// <summary>The hold state of a running job.</summary>
-public enum JobPhase : byte
-{
-    Running,
-
-    /// <summary>A hold was requested; the machine still moves, or the tool is still on.</summary>
-    Holding,
-
-    /// <summary>At standstill with the tool off or raised, waiting for the operator, who may move the machine by hand.</summary>
-    Held,
-
-    /// <summary>The machine returns to its path, and the tool is switched on or lowered again.</summary>
-    Resuming,
+        double.IsNaN(value) ? throw new ArgumentException("A ratio is a number.", nameof(value)) : Math.Clamp(value, range.Min, range.Max);
 }

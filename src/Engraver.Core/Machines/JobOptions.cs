@@ -30,7 +30,7 @@ public sealed record JobOptions
     public Func<JobResult, JobResult>? Judge { get; init; }
 
     /// <summary>Everything before it is already cut; the job continues from there.</summary>
-    public JobPlace From { get; init; }
+    public JobPosition From { get; init; }
 
     /// <summary>Journal of the interrupted job that this one resumes; null for none. An entry is written to it when the job begins.</summary>
     public string? ResumedJournal { get; init; }
@@ -57,7 +57,7 @@ public sealed record JobOptions
 
     /// <summary>Called with what the operator must know while the job runs, on the thread of the job; null: it is only among the warnings of the
     /// result.</summary>
-    public Action<Diagnostic>? Told { get; init; }
+    public Action<Diagnostic>? Warned { get; init; }
 
     /// <summary>Called with every polled position that differs from the one before, on the thread of the job, which it must not delay; null for no
     /// call.</summary>

@@ -27,9 +27,3 @@ public sealed record JobRates(double PerHour, double PerMetre = 0.0, double PerS
     /// <param name="starts">Number of strokes.</param>
     public JobCost CostOf(double seconds, double cutLength, int starts) => new(PerHour * seconds / 3600.0, PerMetre * cutLength / 1000.0, PerStart * starts);
 }
-
-/// <summary>The cost of a job, by its parts.</summary>
-public sealed record JobCost(double Time, double Length, double Starts)
-{
-    public double Total => Time + Length + Starts;
-}

@@ -11,7 +11,7 @@ public sealed record JobResult
     public LinkLoss? Loss { get; init; }
 
     /// <summary>One sentence for the operator: what happened, where, and what to do.</summary>
-    public required string Sentence { get; init; }
+    public required string Message { get; init; }
 
     public required int SegmentsSent { get; init; }
 
@@ -43,7 +43,7 @@ public sealed record JobResult
     public bool IsEndKnown { get; init; } = true;
 
     /// <summary>Everything before it was certainly cut, by the last position that was polled with the tool on: another job continues from here.</summary>
-    public JobPlace Place { get; init; }
+    public JobPosition Place { get; init; }
 
     /// <summary>How often the operator held the job.</summary>
     public int Holds { get; init; }
@@ -78,7 +78,7 @@ public sealed record JobResult
     public static JobResult NotStarted(int strokes, string sentence) => new()
     {
         Outcome = JobOutcome.Refused,
-        Sentence = sentence,
+        Message = sentence,
         SegmentsSent = 0,
         SegmentsExecuted = 0,
         Seconds = 0,
@@ -92,81 +92,3 @@ public sealed record JobResult
         LengthByStroke = new double[strokes],
     };
 }
-
-public enum JobOutcome
-{
-    Complete,
-
-    /// <summary>Stopped by the operator; the machine is at rest.</summary>
-    Stopped,
-
-    /// <summary>The controller refused a command, was busy, or ended a motion that it should have finished.</summary>
-    Refused,
-
-    /// <summary>By the controller's positions or the simulator's record, the path left the drawing, or part of the drawing was not cut.</summary>
-    Deviated,
-
-    /// <summary>The link failed, or the watchdog in the controller received nothing from this program and stopped the machine.</summary>
-    LinkLost,
-}
-
-/// <summary>The cause of an end with <see cref="JobOutcome.LinkLost"/>.</summary>
-public enum LinkLoss
-{
-    /// <summary>The link failed, or the controller no longer replied.</summary>
-    Link,
-
-    /// <summary>The watchdog in the controller received nothing from this program in time and stopped the machine; the link may still work.</summary>
-    Watchdog,
-}
-
-/// <summary>Progress of a job, by the controller's last report.</summary>
-/// <param name="Stroke">Index of the present stroke.</param>
-/// <param name="Place">Counts, job frame.</param>
-/// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where they were not read.</param>
-public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, CountsPoint Place, bool ToolOn, double Seconds, int? Outputs = null)
-{
-    /// <summary>A sequence of the path is in progress, with the tool on or off.</summary>
-    public bool IsOnPath { get; init; }
-
-    /// <summary>As in <see cref="TracePoint.Error"/>.</summary>
-    public CountsPoint? Error { get; init; }
-
-    public long X => Place.X;
-
-    public long Y => Place.Y;
-
-    /// <summary>Whether the job runs, brakes for a hold or is held.</summary>
-    public JobPhase Phase { get; init; }
-
-    /// <summary>Factor of the programmed feed in effect.</summary>
-    public double FeedRatio { get; init; } = 1.0;
-
-    /// <summary>Factor of the rapid speed in effect.</summary>
-    public double RapidRatio { get; init; } = 1.0;
-}
-
-/// <summary>A polled position.</summary>
-/// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="Place">Counts, job frame.</param>
-/// <param name="ToolOn">Whether the tool output was on, as the controller reported.</param>
-public readonly record struct TracePoint(double Seconds, CountsPoint Place, bool ToolOn)
-{
-    public long X => Place.X;
-
-    public long Y => Place.Y;
-
-    /// <summary>Segments known to be done before this poll: the tool is on the next one, or further.</summary>
-    public int Executed { get; init; }
-
-    /// <summary>Distance of each motor from its command at the last reading, counts; null before the first reading, and where it is not read.</summary>
-    public CountsPoint? Error { get; init; }
-}
-
-/// <summary>A command that the controller refused.</summary>
-/// <param name="Code">The controller's number for the reason; compare this and not the text.</param>
-/// <param name="Text">The controller's text for the reason.</param>
-/// <param name="Command">The refused command.</param>
-/// <param name="Sentence">For the operator: what was refused, why, and the consequence here.</param>
-public sealed record MachineRefusal(int Code, string Text, string Command, string Sentence);

@@ -55,7 +55,7 @@ public sealed record MachineProfile
     public double FollowingErrorAt(double mmPerSecond) => FollowingErrorMm ?? FrictionErrorMm + (SlowestLagSeconds * mmPerSecond);
 
     /// <summary>The highest speed of an axis in a job, mm/s: a rapid, or the feed at its highest override.</summary>
-    public double FastestMmPerSecond => Math.Max(RapidMmPerMinute, FeedMmPerMinute * JobControl.FeedRange.Fastest) / 60.0;
+    public double FastestMmPerSecond => Math.Max(RapidMmPerMinute, FeedMmPerMinute * JobControl.FeedRange.Max) / 60.0;
 
     private const double FrictionErrorMm = 0.5;
 
@@ -77,10 +77,10 @@ public sealed record MachineProfile
     public double JogMmPerMinute { get; init; } = 600.0;
 
     /// <summary>What the controller's inputs are wired to.</summary>
-    public LineNames Inputs { get; init; } = LineNames.None;
+    public IoLineNames Inputs { get; init; } = IoLineNames.None;
 
     /// <summary>What the controller's outputs are wired to.</summary>
-    public LineNames Outputs { get; init; } = LineNames.None;
+    public IoLineNames Outputs { get; init; } = IoLineNames.None;
 
     /// <summary>What machining on it costs; null where the profile does not state it.</summary>
     public JobRates? Rates { get; init; }
@@ -128,8 +128,8 @@ public sealed record MachineProfile
     public int RetractCounts => Scale.ToHeight(Height?.RetractHeight ?? 0.0);
 
     /// <summary>+1 where the Z axis counts upwards, -1 where downwards; 0 on a machine without one.</summary>
-    public int Up => Scale.Z.Sign;
+    public int UpSign => Scale.Z.Sign;
 
     /// <summary>Whether one height is below another, counts; false on a machine without a Z axis.</summary>
-    public bool IsLower(int z, int other) => z * (long)Up < other * (long)Up;
+    public bool IsLower(int z, int other) => z * (long)UpSign < other * (long)UpSign;
 }

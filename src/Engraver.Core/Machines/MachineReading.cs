@@ -3,9 +3,9 @@ namespace Engraver.Core.Machines;
 /// <summary>The state of an idle controller at one time, in counts. Null for values that it does not report.</summary>
 /// <param name="Position">Of the axes that a job moves, from the controller's own zero.</param>
 /// <param name="Error">Following error of each axis: commanded minus actual position.</param>
-/// <param name="Moves">An axis or the path is in motion.</param>
+/// <param name="IsMoving">An axis or the path is in motion.</param>
 /// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
-public sealed record MachineReading(CountsPoint Position, CountsPoint Error, bool Moves, string MotorsOff)
+public sealed record MachineReading(CountsPoint Position, CountsPoint Error, bool IsMoving, string MotorsOff)
 {
     public long X => Position.X;
 
@@ -27,18 +27,18 @@ public sealed record MachineReading(CountsPoint Position, CountsPoint Error, boo
     public string LostPosition { get; init; } = "";
 
     /// <summary>The controller's letters of the axes whose last motion was stopped without a ramp.</summary>
-    public string StoppedHard { get; init; } = "";
+    public string StoppedWithoutRamp { get; init; } = "";
 
     /// <summary>The abort input is active.</summary>
     public bool AbortInput { get; init; }
 
     /// <summary>The controller runs a program, which this program did not start while the machine is only monitored.</summary>
-    public bool ProgramRuns { get; init; }
+    public bool IsProgramRunning { get; init; }
 
     /// <summary>True when a value on which arming depends was changed, by a person or a program.</summary>
     public bool DiffersFrom(MachineReading other)
     {
         ArgumentNullException.ThrowIfNull(other);
-        return (Position, Moves, MotorsOff, Limit, AbortInput, ProgramRuns, Inputs) != (other.Position, other.Moves, other.MotorsOff, other.Limit, other.AbortInput, other.ProgramRuns, other.Inputs);
+        return (Position, IsMoving, MotorsOff, Limit, AbortInput, IsProgramRunning, Inputs) != (other.Position, other.IsMoving, other.MotorsOff, other.Limit, other.AbortInput, other.IsProgramRunning, other.Inputs);
     }
 }

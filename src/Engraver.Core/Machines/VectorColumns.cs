@@ -36,7 +36,7 @@ public sealed class VectorColumns(int segments)
     }
 
     /// <summary>The strokes so far, each created when it is requested.</summary>
-    public IReadOnlyList<MotionStroke> Strokes() => new MadeList<MotionStroke>(_strokes.Count, Stroke);
+    public IReadOnlyList<MotionStroke> Strokes() => new ComputedList<MotionStroke>(_strokes.Count, Stroke);
 
     private MotionStroke Stroke(int index)
     {

@@ -11,7 +11,7 @@ public static class CutHeights
 {
     /// <summary>Height of each pass of a stroke above its depth, millimetres, the highest first; the last is 0. Whole multiples of the depth of a
     /// pass.</summary>
-    public static IEnumerable<double> Lifts(ToolpathStroke stroke, HeightDrive drive)
+    public static IEnumerable<double> PassHeights(ToolpathStroke stroke, HeightDrive drive)
     {
         ArgumentNullException.ThrowIfNull(stroke);
         ArgumentNullException.ThrowIfNull(drive);

@@ -28,7 +28,7 @@ public interface IMachineDriver : IControllerFamily
     /// <summary>The program as it will be run over this link: where the link is too slow for its feed it is cut more slowly, and the finding reports
     /// it.</summary>
     /// <param name="address">Null for none: the feed is not limited.</param>
-    LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf);
+    LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf);
 
     /// <summary>Planned duration of the program over this link.</summary>
     /// <param name="program">Adapted to the link.</param>

@@ -22,7 +22,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
         var (speed, acceleration) = (0.0, 0.0);
         foreach (var sequence in program.Strokes.SelectMany(stroke => stroke.Sequences))
         {
-            var ride = new Ride(sequence, program.Profile.AccelerationCounts, program.Profile.Scale);
+            var ride = new SequencePeaks(sequence, program.Profile.AccelerationCounts, program.Profile.Scale);
             ride.Through(ref speed, ref acceleration);
         }
 
@@ -30,7 +30,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
     }
 
     /// <summary>One sequence from its start to its end, in counts; its results are in millimetres.</summary>
-    private sealed class Ride(VectorSequence sequence, double acceleration, CountsScale scale)
+    private sealed class SequencePeaks(VectorSequence sequence, double acceleration, CountsScale scale)
     {
         private readonly double _length = sequence.Length;
 

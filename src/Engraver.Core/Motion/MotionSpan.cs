@@ -15,16 +15,3 @@ public readonly record struct MotionSpan(MotionSpanKind Kind, double Start, doub
 {
     public double End => Start + Seconds;
 }
-
-/// <summary>What the machine does in a span of planned time.</summary>
-public enum MotionSpanKind : byte
-{
-    /// <summary>At rest: commands are exchanged, or the tool settles.</summary>
-    Dwell,
-
-    /// <summary>Moves between strokes with the tool off, each axis independently.</summary>
-    Rapid,
-
-    /// <summary>Runs a vector sequence.</summary>
-    Cut,
-}

@@ -54,7 +54,7 @@ public static class MotionTime
         double Move(double from, double to, double speed) => Sampled(Math.Abs(to - from), speed, profile.AccelerationCounts, commands);
         var (clearance, rapid) = (profile.ClearanceCounts, commands.RapidSpeed(profile, z));
         if (!on) return Move(height, clearance, rapid);
-        var retract = profile.Up * Math.Max(profile.Up * profile.RetractCounts, profile.Up * height);
+        var retract = profile.UpSign * Math.Max(profile.UpSign * profile.RetractCounts, profile.UpSign * height);
         return Move(clearance, retract, rapid) + Move(retract, height, commands.PlungeSpeed(profile));
     }
 

@@ -8,8 +8,8 @@ namespace Engraver.Core.Motion;
 /// <param name="StrokesBefore">Strokes of the whole program before the first of the rest.</param>
 /// <param name="SequencesBefore">Sequences of that stroke before the first of the rest.</param>
 /// <param name="SegmentsBefore">Segments of the whole program before the first of the rest, in the order of cutting.</param>
-/// <param name="CutOfFirst">Counts of the whole program's segment that are before the first segment of the rest.</param>
-public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, int SequencesBefore, int SegmentsBefore, double CutOfFirst)
+/// <param name="CutLengthOfFirst">Counts of the whole program's segment that are before the first segment of the rest.</param>
+public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, int SequencesBefore, int SegmentsBefore, double CutLengthOfFirst)
 {
     /// <summary>The rest may begin this much earlier, counts, where a point of whole counts is nearer to the path.</summary>
     public const double WholeCountSearch = 8.0;
@@ -24,14 +24,14 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
     /// <param name="place">Everything before it is cut.</param>
     /// <param name="leadIn">Counts of the path before the place, in the same stroke, that are cut again; 0 for none.</param>
     /// <param name="keepAngle">The angle that the controller keeps for an angle sent to it, degrees.</param>
-    public static RemainingProgram From(MotionProgram program, JobPlace place, double leadIn, Func<double, double> keepAngle)
+    public static RemainingProgram From(MotionProgram program, JobPosition place, double leadIn, Func<double, double> keepAngle)
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(keepAngle);
         ArgumentOutOfRangeException.ThrowIfNegative(leadIn);
         var (stroke, first) = StrokeOf(program, place.Segments);
         if (stroke == program.Strokes.Count) return new RemainingProgram(program with { Strokes = [] }, stroke, 0, first, 0.0);
-        var part = new StrokeRest(program.Strokes[stroke], keepAngle).From(new JobPlace(place.Segments - first, place.Along), leadIn);
+        var part = new RemainingStroke(program.Strokes[stroke], keepAngle).From(new JobPosition(place.Segments - first, place.Along), leadIn);
         if (part.Stroke is null) return new RemainingProgram(program with { Strokes = [.. program.Strokes.Skip(stroke + 1)] }, stroke + 1, 0, first + SegmentsOf(program.Strokes[stroke]), 0.0);
         return new RemainingProgram(program with { Strokes = [part.Stroke, .. program.Strokes.Skip(stroke + 1)] }, stroke, part.Sequences, first + part.Segments, part.Along);
     }
@@ -53,13 +53,13 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
     }
 
     /// <summary>Divides one stroke in two on its path.</summary>
-    private sealed class StrokeRest(MotionStroke stroke, Func<double, double> keepAngle)
+    private sealed class RemainingStroke(MotionStroke stroke, Func<double, double> keepAngle)
     {
         private readonly List<(int Sequence, CountsPoint Start, VectorSegment Segment)> _segments = [.. Flat(stroke)];
 
         /// <returns>The rest of the stroke, with the sequences and segments of it before the rest and the counts of the first segment; null when nothing is
         /// left.</returns>
-        public (MotionStroke? Stroke, int Sequences, int Segments, double Along) From(JobPlace place, double leadIn)
+        public (MotionStroke? Stroke, int Sequences, int Segments, double Along) From(JobPosition place, double leadIn)
         {
             var (at, along) = Back(place, leadIn);
             if (at == _segments.Count) return (null, 0, at, 0.0);
@@ -84,7 +84,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         }
 
         /// <summary>The place one lead-in earlier on the path, not before the stroke's start.</summary>
-        private (int At, double Along) Back(JobPlace place, double leadIn)
+        private (int At, double Along) Back(JobPosition place, double leadIn)
         {
             var (at, along) = (place.Segments, Math.Min(place.Along, _segments[place.Segments].Segment.Length));
             var left = leadIn;
@@ -104,7 +104,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         /// <summary>The point of whole counts nearest to the path, a little earlier on it.</summary>
         private (double Along, CountsPoint Start) WholeCount(int at, double along)
         {
-            var course = new SegmentCourse(_segments[at].Start, _segments[at].Segment);
+            var course = new SegmentPath(_segments[at].Start, _segments[at].Segment);
             var (best, start, off) = (along, _segments[at].Start, double.PositiveInfinity);
             for (var back = 0.0; back <= WholeCountSearch && along - back >= ShortestRest; back += 0.5)
             {
@@ -134,7 +134,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             var delta = keepAngle((1.0 - part) * segment.DeltaDegrees);
             if (delta == 0.0) return null;
             var arc = segment with { ThetaDegrees = theta, DeltaDegrees = delta, Length = left };
-            return arc with { End = CountsScale.Round(new SegmentCourse(start, arc).At(left)) with { Z = segment.End.Z } };
+            return arc with { End = CountsScale.Round(new SegmentPath(start, arc).At(left)) with { Z = segment.End.Z } };
         }
 
         /// <summary>The rest from a segment on. Where the first one ends beside its planned end, the arcs after it are shifted by the same distance, until a
@@ -165,51 +165,4 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             return stroke with { Start = start, Sequences = sequences };
         }
     }
-}
-
-/// <summary>Finds places on a motion program.</summary>
-public static class PlaceOnProgram
-{
-    /// <summary>The counter may be older than the position by the time of one reply: short segments may have ended meanwhile.</summary>
-    private const int SegmentsAhead = 12;
-
-    /// <summary>Finds the place of a machine on a program.</summary>
-    /// <param name="segments">Segments that were done when the position was read, or a few fewer.</param>
-    /// <param name="at">Position, job frame.</param>
-    /// <param name="tolerance">A position further from a segment than this is not on it, counts.</param>
-    /// <returns>The first matching place from there on; the beginning of the segment where none matches, so that all parts are cut. Heights count where an axis
-    /// is the tool drive.</returns>
-    public static JobPlace Find(MotionProgram program, int segments, CountsPoint at, double tolerance)
-    {
-        ArgumentNullException.ThrowIfNull(program);
-        for (var ahead = 0; ahead <= SegmentsAhead && program.SegmentBehind(segments + ahead) is var (start, segment, _); ahead++)
-        {
-            var (away, along) = program.Profile.Height is null || segment.Kind == VectorSegmentKind.Arc ? InPlan(start, segment, at, tolerance) : InSpace(start, segment.End, at);
-            if (program.Profile.Height is not null && segment.Kind == VectorSegmentKind.Arc) away = double.Hypot(away, (double)at.Z - start.Z);
-            if (away <= tolerance) return new JobPlace(segments + ahead, along);
-        }
-
-        return new JobPlace(segments, 0.0);
-    }
-
-    private static (double Away, double Along) InPlan(CountsPoint start, in VectorSegment segment, CountsPoint at, double tolerance)
-    {
-        var (course, place) = (new SegmentCourse(start, segment), new Point2D(at.X, at.Y));
-        return (course.DistanceTo(place), course.AlongTo(place, tolerance));
-    }
-
-    /// <summary>The distance from a line that may rise or fall, and along it.</summary>
-    private static (double Away, double Along) InSpace(CountsPoint start, CountsPoint end, CountsPoint at)
-    {
-        var length = Length(start, end);
-        if (length == 0.0) return (Length(start, at), 0.0);
-        var along = 0.0;
-        for (var axis = 0; axis < 3; axis++) along += ((double)at[axis] - start[axis]) * ((double)end[axis] - start[axis]) / length;
-        along = Math.Clamp(along, 0.0, length);
-        var away = 0.0;
-        for (var axis = 0; axis < 3; axis++) away = double.Hypot(away, (double)at[axis] - start[axis] - (along * ((double)end[axis] - start[axis]) / length));
-        return (away, along);
-    }
-
-    private static double Length(CountsPoint from, CountsPoint to) => double.Hypot(double.Hypot((double)to.X - from.X, (double)to.Y - from.Y), (double)to.Z - from.Z);
 }

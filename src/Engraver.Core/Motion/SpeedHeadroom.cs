@@ -53,7 +53,7 @@ public static class SpeedHeadroom
     /// <summary>Directions of length 1 in which a segment begins and ends, in counts; a line may rise or fall.</summary>
     private static ((double X, double Y, double Z) First, (double X, double Y, double Z) Last) Directions(CountsPoint start, in VectorSegment segment, AxisScale scale)
     {
-        if (segment.Kind == VectorSegmentKind.Arc && Move(new SegmentCourse(start, segment), segment, scale) is var arc)
+        if (segment.Kind == VectorSegmentKind.Arc && Move(new SegmentPath(start, segment), segment, scale) is var arc)
             return ((arc.StartTangent.X, arc.StartTangent.Y, 0.0), (arc.EndTangent.X, arc.EndTangent.Y, 0.0));
         var (x, y, z) = ((double)segment.End.X - start.X, (double)segment.End.Y - start.Y, (double)segment.End.Z - start.Z);
         var length = Math.Max(1.0, double.Hypot(double.Hypot(x, y), z));
@@ -70,7 +70,7 @@ public static class SpeedHeadroom
         var (corners, start) = (0, sequence.Start);
         foreach (var segment in sequence.Segments)
         {
-            var course = new SegmentCourse(start, segment);
+            var course = new SegmentPath(start, segment);
             var move = Move(course, segment, profile.Scale.Finer);
             if (detector.IsCornerBefore(move)) corners++;
             detector.Cut(move);
@@ -80,7 +80,7 @@ public static class SpeedHeadroom
         return corners;
     }
 
-    private static Segment Move(SegmentCourse course, VectorSegment segment, AxisScale scale)
+    private static Segment Move(SegmentPath course, VectorSegment segment, AxisScale scale)
     {
         Point2D InMillimetres(Point2D counts) => new(scale.ToMillimetres(counts.X), scale.ToMillimetres(counts.Y));
         var start = InMillimetres(course.At(0.0));

@@ -15,8 +15,8 @@ public static class UnfinishedSegment
         ArgumentNullException.ThrowIfNull(result);
         var cut = result.SegmentsExecuted - result.SegmentsUncut;
         var last = result.PolledTrace.LastOrDefault(point => point.ToolOn && point.Executed == cut);
-        if (!last.ToolOn || program.SegmentBehind(cut) is not var (start, segment, _)) return 0.0;
-        var (course, place) = (new SegmentCourse(start, segment), new Point2D(last.Place.X, last.Place.Y));
-        return course.DistanceTo(place) > tolerance ? 0.0 : course.AlongTo(place, tolerance);
+        if (!last.ToolOn || program.SegmentAfter(cut) is not var (start, segment, _)) return 0.0;
+        var (course, place) = (new SegmentPath(start, segment), new Point2D(last.Place.X, last.Place.Y));
+        return course.DistanceTo(place) > tolerance ? 0.0 : course.LengthTo(place, tolerance);
     }
 }

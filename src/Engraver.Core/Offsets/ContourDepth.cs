@@ -39,7 +39,7 @@ internal static class ContourDepth
     {
         if (closed.Any(chain => IsThereAndBack(chain, tolerance))) return true;
         var next = Successors(closed, tree.Pieces.Count);
-        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.MaxCount];
         foreach (var (first, second) in tree.Pairs(tolerance))
         {
             var (a, b) = (tree.Pieces[first], tree.Pieces[second]);

@@ -13,7 +13,7 @@ namespace Engraver.Core.Offsets;
 public static class ContourOffset
 {
     /// <summary>Length that counts as zero, millimetres, and the share that the size of the coordinates adds to it (rounding).</summary>
-    private const double LeastTolerance = 1e-10;
+    private const double MinTolerance = 1e-10;
 
     private const double SizeTolerance = 1e-14;
 
@@ -21,7 +21,7 @@ public static class ContourOffset
     private const double RadiusTolerance = 3e-16;
 
     /// <summary>Distance from the origin, in sizes of the drawing, beyond which it is computed relative to its centre.</summary>
-    private const double FarAway = 100.0;
+    private const double OutsideDistance = 100.0;
 
     /// <summary>Width below which a loop is ignored, in tolerances.</summary>
     private const double SliverTolerances = 8.0;
@@ -34,7 +34,7 @@ public static class ContourOffset
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(distance);
         var (origin, extent) = Place(contours);
-        var tolerance = LeastTolerance + (SizeTolerance * (extent + distance)) + (RadiusTolerance * LargestRadius(contours));
+        var tolerance = MinTolerance + (SizeTolerance * (extent + distance)) + (RadiusTolerance * LargestRadius(contours));
         List<SourceChain> chains = [.. contours.Select((contour, number) => SourceChain.From(contour, number, options, tolerance)?.Moved(-origin)).OfType<SourceChain>()];
         var work = new OffsetWork(origin, distance, options, tolerance);
         List<SourceChain> closed = [.. chains.Where(chain => chain.Closed)];
@@ -59,7 +59,7 @@ public static class ContourOffset
 
         if (box.IsEmpty) return (default, 0.0);
         var (size, middle) = (box.Width + box.Height, new Vector2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0));
-        return middle.Length > FarAway * size ? (middle, size) : (default, middle.Length + size);
+        return middle.Length > OutsideDistance * size ? (middle, size) : (default, middle.Length + size);
     }
 
     private static double LargestRadius(IReadOnlyList<OffsetContour> contours)

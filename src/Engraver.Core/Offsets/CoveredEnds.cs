@@ -17,10 +17,10 @@ internal sealed class CoveredEnds
     private const double DepthTolerances = 16.0;
 
     /// <summary>Fraction of the distance: closer to the boundary than this, a further step is not worth the search.</summary>
-    private const double LeastStep = 1e-3;
+    private const double MinStep = 1e-3;
 
     /// <summary>Maximum number of points at which one end of a piece is measured.</summary>
-    private const int MostSteps = 40;
+    private const int MaxSteps = 40;
 
     /// <summary>Number of pieces before and after that are checked before all others are searched: between narrow teeth they cover nearly the whole covered
     /// part.</summary>
@@ -33,7 +33,7 @@ internal sealed class CoveredEnds
     private readonly bool[] _gone;
     private readonly int[] _pieceBefore;
     private readonly int[] _pieceBehind;
-    private readonly bool[] _goesOn;
+    private readonly bool[] _continues;
     private readonly List<Point2D> _nodes;
 
     private CoveredEnds(RawOffset raw, PieceTree? source)
@@ -45,8 +45,8 @@ internal sealed class CoveredEnds
         Array.Fill(_pieceBefore, -1);
         Array.Fill(_pieceBehind, -1);
         for (var i = 0; i < _pieces.Length; i++) (_pieceBehind[_pieces[i].Start], _pieceBefore[_pieces[i].End]) = (i, i);
-        _goesOn = new bool[_nodes.Count];
-        foreach (var (one, other) in raw.Same) _goesOn[one] = _goesOn[other] = true;
+        _continues = new bool[_nodes.Count];
+        foreach (var (one, other) in raw.Same) _continues[one] = _continues[other] = true;
     }
 
     /// <summary>The remaining pieces, in the same order.</summary>
@@ -81,7 +81,7 @@ internal sealed class CoveredEnds
     }
 
     /// <summary>True for an end of the raw offset, unless it continues at another node; false for an end created here.</summary>
-    private bool IsLoose(int node, int[] pieces) => node < pieces.Length && pieces[node] < 0 && !_goesOn[node];
+    private bool IsLoose(int node, int[] pieces) => node < pieces.Length && pieces[node] < 0 && !_continues[node];
 
     /// <summary>Advances from a loose start over all pieces that are completely covered.</summary>
     private void Forwards(int piece)
@@ -144,13 +144,13 @@ internal sealed class CoveredEnds
     private double Covered(in PathPiece piece, int place)
     {
         var at = CoveredByNeighbours(piece, place);
-        for (var step = 0; step < MostSteps && at < 1.0; step++)
+        for (var step = 0; step < MaxSteps && at < 1.0; step++)
         {
             var near = _radius;
             var source = _source!.NearestPiece(piece.At(at), ref near);
             if (source < 0) break;
             at = Math.Max(at + ((_radius - near) / piece.Length), PieceReach.CoveredFrom(piece, at, _source.Pieces[source], _radius));
-            if (_radius - near < LeastStep * _radius) break;
+            if (_radius - near < MinStep * _radius) break;
         }
 
         return Math.Min(at, 1.0);

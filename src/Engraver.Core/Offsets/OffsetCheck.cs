@@ -10,7 +10,7 @@ internal static class OffsetCheck
     private const double NearEnough = 1.0001;
 
     /// <summary>Maximum number of segments that are measured, evenly spread.</summary>
-    private const int MostMeasured = 20_000;
+    private const int MaxMeasured = 20_000;
 
     /// <summary>Largest difference from the distance, millimetres, at the middle of each segment or of the part that is next to its source; mitres and bevels
     /// have a different distance and are not measured.</summary>
@@ -18,7 +18,7 @@ internal static class OffsetCheck
     /// contour.</remarks>
     public static double MaxDeviation(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, double distance, OffsetSide side, OffsetOptions options)
     {
-        var step = 1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured);
+        var step = 1 + (loops.Sum(loop => loop.Segments.Count) / MaxMeasured);
         return loops.GroupBy(loop => OwnContourOf(loop, drawn, side)).Select(together =>
             Largest(drawn, together.Key < 0 ? [.. drawn.Where(contour => contour.Closed)] : [drawn[together.Key]], together, distance, step, options)).DefaultIfEmpty().Max();
     }

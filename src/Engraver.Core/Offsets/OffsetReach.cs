@@ -93,7 +93,7 @@ internal sealed class CornerReach
         if (_isCap[piece]) return PathPiece.Norm(way) < _distance - _tolerance;
         if (leaving.Cross(arriving) > 0.0 || way.Dot(leaving) < 0.0 || way.Dot(arriving) > 0.0) return false;
         var (before, after) = (leaving.Cross(way), arriving.Cross(way)); // heights above both sides
-        if (CornerShape.Mitre(_pieces[piece].End, leaving, arriving, _distance, _options) is not null) return Math.Max(before, after) is > 0.0 and var height && height < _distance - _tolerance; // without a turn, the part after the corner is also on its line
+        if (OffsetCorner.Mitre(_pieces[piece].End, leaving, arriving, _distance, _options) is not null) return Math.Max(before, after) is > 0.0 and var height && height < _distance - _tolerance; // without a turn, the part after the corner is also on its line
         var cosine = Math.Sqrt(Math.Max(0.0, (1.0 + leaving.Dot(arriving)) / 2.0)); // cosine of half the turn
         return cosine > 0.0 && (before + after) / (2.0 * cosine) < (_distance * cosine) - _tolerance && before > 0.0 && after > 0.0;
     }

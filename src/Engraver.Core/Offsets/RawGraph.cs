@@ -75,7 +75,7 @@ internal sealed class RawGraph
         var pieces = new PathPiece[_raw.Count];
         for (var i = 0; i < pieces.Length; i++) pieces[i] = _raw[i].Piece;
         var cuts = new List<RawCut>();
-        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.MaxCount];
         foreach (var (first, second) in new PieceTree(pieces).Pairs(_tolerance))
         {
             var count = PieceCrossings.Between(pieces[first], pieces[second], _tolerance, found);

@@ -64,7 +64,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         for (var i = 0; i < pieces.Length; i++)
         {
             var next = i + 1 == pieces.Length ? 0 : i + 1;
-            Meet(ref shifted[i], ref shifted[next], pieces[i], pieces[next], chain.Smoothness, chain.IsCapBehind(i), out joins[i]);
+            JoinEnds(ref shifted[i], ref shifted[next], pieces[i], pieces[next], chain.Smoothness, chain.IsCapBehind(i), out joins[i]);
         }
 
         for (var i = 0; i < pieces.Length; i++)
@@ -93,7 +93,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
     }
 
     /// <summary>Decides what is between two neighbours: a common node, a trimmed corner, a gap, or two nodes with a join between them.</summary>
-    private void Meet(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double smoothness, bool isCap, out (int From, int To) join)
+    private void JoinEnds(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double smoothness, bool isCap, out (int From, int To) join)
     {
         join = (-1, -1);
         var (leaving, arriving, corner) = (source.EndTangent, next.StartTangent, source.End);
@@ -109,12 +109,12 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         before.EndNode = NewNode(corner + (Left(leaving) * distance));
         after.StartNode = NewNode(corner + (Left(arriving) * distance));
         if (sin > 0.0) return;
-        if (!isCap && CornerShape.Mitre(corner, leaving, arriving, distance, options) is { } tip) MeetInTip(ref before, ref after, source, next, tip);
+        if (!isCap && OffsetCorner.Mitre(corner, leaving, arriving, distance, options) is { } tip) JoinInTip(ref before, ref after, source, next, tip);
         else join = (before.EndNode, after.StartNode);
     }
 
     /// <summary>Lines are extended to the tip; after or before an arc the join has a separate line.</summary>
-    private void MeetInTip(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, Point2D tip)
+    private void JoinInTip(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, Point2D tip)
     {
         var node = NewNode(tip);
         if (source.IsArc) before.TipBehind = node;
@@ -136,7 +136,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
             return true;
         }
 
-        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.MaxCount];
         if (PieceCrossings.Between(before.Piece, after.Piece, tolerance, found) != 1) return false;
         var (place, to, from) = found[0];
         if (!IsCovered(before.Piece, to, 1.0, next) || !IsCovered(after.Piece, 0.0, from, source)) return false;

@@ -8,7 +8,7 @@ internal sealed class PlotFrame
 {
     public const double CaptionHeight = 54.0;
     private const double LongSide = 1200.0;
-    private const double ShortSideAtLeast = 200.0;
+    private const double MinShortSide = 200.0;
     private const double Margin = 44.0;
     private readonly Point2D _middle;
 
@@ -18,7 +18,7 @@ internal sealed class PlotFrame
         Scale = extent > 0.0 ? LongSide / extent : 1.0;
         _middle = seen.IsEmpty ? default : new Point2D((seen.MinX + seen.MaxX) / 2.0, (seen.MinY + seen.MaxY) / 2.0);
         FieldWidth = Math.Max(LongSide / 2.0, seen.Width * Scale) + (2.0 * Margin);
-        FieldHeight = Math.Max(ShortSideAtLeast, seen.Height * Scale) + (2.0 * Margin);
+        FieldHeight = Math.Max(MinShortSide, seen.Height * Scale) + (2.0 * Margin);
     }
 
     /// <summary>Picture units per millimetre.</summary>

@@ -12,10 +12,10 @@ namespace Engraver.Core.Plots;
 public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, IReadOnlyList<LineSegment> Rapids, Point2D? ToolStart)
 {
     /// <summary>Smallest box of the curves, without travel; empty when nothing is drawn.</summary>
-    public Bounds2D Drawn => Strokes.SelectMany(stroke => stroke.Segments).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
+    public Bounds2D DrawnBounds => Strokes.SelectMany(stroke => stroke.Segments).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
 
     /// <summary>Box of all shown elements, including the tool's start.</summary>
-    public Bounds2D Seen => ToolStart is { } start ? Drawn.Including(start) : Drawn;
+    public Bounds2D VisibleBounds => ToolStart is { } start ? DrawnBounds.Including(start) : DrawnBounds;
 
     /// <summary>Meaning of the colours of a run; null in a picture of a drawing or a path.</summary>
     public PlotHeat? Heat { get; init; }
@@ -59,24 +59,6 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
     private static PlotStroke ToPlot(ToolpathStroke stroke) => new([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, stroke.Index + 1);
 }
 
-/// <summary>One curve of a picture.</summary>
-/// <param name="Segments">Segments, at least one; each starts at or near the end of the previous one.</param>
-/// <param name="Closed">Determines the colour.</param>
-/// <param name="Number">Place in the order of cutting as shown to people (1 is first); null where there is no order.</param>
-public sealed record PlotStroke(IReadOnlyList<Segment> Segments, bool Closed, int? Number)
-{
-    public double Length => Segments.Sum(segment => segment.Length);
-
-    /// <summary>Step of the colours of a run, or <see cref="RunPlot.Beneath"/>; null where the colour shows closed or open.</summary>
-    public int? Heat { get; init; }
-}
-
 /// <summary>A place of a trajectory.</summary>
 /// <param name="IsCorner">True for a sharp turn of the contour that it follows; otherwise a point that it visits.</param>
 public readonly record struct PlotMark(Point2D Place, bool IsCorner);
-
-/// <summary>Meaning of the colours of a run, in words.</summary>
-/// <param name="Caption">The quantity shown and its source.</param>
-/// <param name="Least">The value of the first colour.</param>
-/// <param name="Most">The value of the last colour.</param>
-public sealed record PlotHeat(string Caption, string Least, string Most);

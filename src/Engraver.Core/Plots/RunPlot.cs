@@ -4,19 +4,6 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>The quantity that a picture of a run shows as colour.</summary>
-public enum RunMeasure
-{
-    /// <summary>Distance from the drawing.</summary>
-    Deviation,
-
-    /// <summary>Following error: distance of the motors from their commanded positions.</summary>
-    Following,
-
-    /// <summary>Speed along the path.</summary>
-    Speed,
-}
-
 /// <summary>The picture of a run: the tool positions over the drawing, coloured by a measure from its minimum to its maximum.</summary>
 public static class RunPlot
 {
@@ -24,14 +11,14 @@ public static class RunPlot
     public const int Steps = 16;
 
     /// <summary>The drawing under the run has no measure.</summary>
-    public const int Beneath = -1;
+    public const int DrawingBelow = -1;
 
     /// <param name="analysed">The drawing as it is cut.</param>
     /// <param name="trace">Only positions with the tool on are shown.</param>
     public static PlotModel Create(EntityTable analysed, RunTrace trace, RunMeasure measure, string title)
     {
         ArgumentNullException.ThrowIfNull(trace);
-        var drawn = PlotModel.FromDrawing(analysed, title).Strokes.Select(stroke => stroke with { Heat = Beneath });
+        var drawn = PlotModel.FromDrawing(analysed, title).Strokes.Select(stroke => stroke with { Heat = DrawingBelow });
         var values = Values(trace, measure);
         var most = trace.Places.Select((place, i) => place.ToolOn ? values[i] : 0.0).DefaultIfEmpty().Max();
         return new PlotModel(title, [.. drawn, .. Run(trace, values, most)], [], null) { Heat = new PlotHeat(Caption(trace, measure), "0", NumberText.Rounded(most, 4)) };

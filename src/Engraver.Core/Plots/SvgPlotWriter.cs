@@ -8,7 +8,7 @@ namespace Engraver.Core.Plots;
 /// <summary>A plot as one self-contained SVG file: dark like a CAD canvas, y up, legend and size below. The same model gives the same bytes.</summary>
 public static class SvgPlotWriter
 {
-    private const int LabelsAtMost = 300;
+    private const int MaxLabels = 300;
     private const double ArrowLength = 11.0;
     private const double FontSize = 12.0;
 
@@ -22,7 +22,7 @@ public static class SvgPlotWriter
         """;
 
     /// <summary>Writes the picture; LF line ends, numbers invariant.</summary>
-    public static void Write(PlotModel plot, TextWriter output) => Write(plot, new PlotFrame(plot.Seen), thinned: null, output);
+    public static void Write(PlotModel plot, TextWriter output) => Write(plot, new PlotFrame(plot.VisibleBounds), thinned: null, output);
 
     /// <summary>Writes the picture for a page of limited size: when its lines need more characters, at the finest resolution at which they fit.</summary>
     /// <param name="most">Maximum number of characters of its lines.</param>
@@ -30,7 +30,7 @@ public static class SvgPlotWriter
     public static double? WriteWithin(PlotModel plot, int most, TextWriter output)
     {
         ArgumentNullException.ThrowIfNull(plot);
-        var frame = new PlotFrame(plot.Seen);
+        var frame = new PlotFrame(plot.VisibleBounds);
         var thinned = ThinnedPlot.WholeLength(plot) > most ? ThinnedPlot.Of(plot, frame, most, Colour) : null;
         Write(plot, frame, thinned, output);
         return thinned?.Cell / frame.Scale;
@@ -67,7 +67,7 @@ public static class SvgPlotWriter
         if (plot.ToolStart is { } start) WriteToolStart(frame.Place(start), output);
         if (!plot.Strokes.Any(stroke => stroke.Number is not null)) return;
         var labels = new LabelField(FontSize / 2.0);
-        var every = ((plot.Strokes.Count - 1) / LabelsAtMost) + 1;
+        var every = ((plot.Strokes.Count - 1) / MaxLabels) + 1;
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteNumber(plot.Strokes[i], frame, labels, output);
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteArrow(plot.Strokes[i], frame, labels, output);
     }
@@ -116,7 +116,7 @@ public static class SvgPlotWriter
 
     private static void WriteCaption(PlotModel plot, PlotFrame frame, TextWriter output)
     {
-        var (top, drawn) = (frame.FieldHeight, plot.Drawn);
+        var (top, drawn) = (frame.FieldHeight, plot.DrawnBounds);
         var closed = plot.Strokes.Count(stroke => stroke.Closed);
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
         Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{MarkupText.Escaped(Wording.Get("Plot.Size", plot.Title, NumberText.Rounded(drawn.Width, 2), NumberText.Rounded(drawn.Height, 2)))}</text>");
@@ -125,7 +125,7 @@ public static class SvgPlotWriter
             : Wording.Get("Plot.StrokesAndTravel", plot.Strokes.Count, NumberText.Rounded(plot.CutLength, 2), NumberText.Rounded(plot.Travel, 2)));
         Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{MarkupText.Escaped(caption)}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
-        if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Least), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Most)];
+        if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Min), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Max)];
         if (plot.ToolStart is not null) entries.AddRange([("rapid", Wording.Get("Plot.Rapid")), ("start", Wording.Get("Plot.Start"))]);
         for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (122.0 * (entries.Count - i)), top + 42.0, output);
     }

@@ -12,7 +12,7 @@ public static class TrajectoryPlot
     private const int Parts = 16;
 
     /// <summary>Maximum number of points drawn; with more points only the curve is drawn.</summary>
-    private const int MostMarks = 20_000;
+    private const int MaxMarks = 20_000;
 
     /// <param name="analysed">The drawing as it is cut.</param>
     public static PlotModel Create(EntityTable analysed, IReadOnlyList<Trajectory> trajectories, string title)
@@ -20,12 +20,12 @@ public static class TrajectoryPlot
         ArgumentNullException.ThrowIfNull(trajectories);
         var parts = trajectories.Select(one => TrajectoryCurve.Parts(one, Parts)).ToList();
         var most = parts.SelectMany(one => one).Select(part => part.Deviation).DefaultIfEmpty().Max();
-        var drawn = PlotModel.FromDrawing(analysed, title).Strokes.Select(stroke => stroke with { Heat = RunPlot.Beneath });
+        var drawn = PlotModel.FromDrawing(analysed, title).Strokes.Select(stroke => stroke with { Heat = RunPlot.DrawingBelow });
         var bound = trajectories.Select(one => one.VerifiedBound).DefaultIfEmpty().Max();
         return new PlotModel(title, [.. drawn, .. parts.SelectMany(one => Strokes(one, most))], [], null)
         {
             Heat = new PlotHeat(Wording.Get("Plot.Trajectories", trajectories.Count, trajectories.Sum(one => one.Points), NumberText.Rounded(most, 6), NumberText.Rounded(bound, 6)), "0", NumberText.Rounded(most, 6)),
-            Marks = [.. trajectories.SelectMany(Marks).Take(MostMarks)],
+            Marks = [.. trajectories.SelectMany(Marks).Take(MaxMarks)],
         };
     }
 

@@ -14,7 +14,7 @@ internal sealed class ContourTour
     private readonly bool _reverses;
     private readonly bool[] _taken;
     private readonly List<(PathPiece Piece, bool IsLink)> _moves = [];
-    private readonly Stack<Visit> _open = new();
+    private readonly Stack<ChainVisit> _open = new();
 
     private ContourTour(IReadOnlyList<PassChain> chains, LinkCheck check, bool reverses)
     {
@@ -56,7 +56,7 @@ internal sealed class ContourTour
 
     private void Open(int chain, PassPlace arrived, PassLink? back)
     {
-        var visit = new Visit(chain, arrived, back);
+        var visit = new ChainVisit(chain, arrived, back);
         List<PassLink> branches = [.. _graph.LinksOf(chain).Where(link => !_taken[link.To]).DistinctBy(link => link.To)];
         if (back is null && branches.Where(link => _chains[link.To].Kind != PassKind.Sliver).OrderByDescending(link => _chains[link.To].Length).Select(link => (PassLink?)link).FirstOrDefault() is { } main)
         {
@@ -81,10 +81,10 @@ internal sealed class ContourTour
     private PassLink Straight(PassLink main, PassPlace arrived)
     {
         var link = main with { At = arrived, Arrives = _chains[main.To].Nearest(arrived.Place) };
-        return link.Way.Length <= _check.LongestStep && _check.StaysInside(link.Way) ? link : main;
+        return link.Path.Length <= _check.LongestStep && _check.StaysInside(link.Path) ? link : main;
     }
 
-    private void Branch(Visit visit, PassLink branch)
+    private void Branch(ChainVisit visit, PassLink branch)
     {
         Forwards(visit, branch.At);
         branch = branch with { At = visit.At };
@@ -99,7 +99,7 @@ internal sealed class ContourTour
     {
         _moves.AddRange(chain.Pieces.Select(piece => (piece, false)));
         var straight = PathPiece.Line(chain.Pieces[^1].End, branch.At.Place);
-        if (!_reverses && _check.StaysInside(straight) && _check.Uncut(straight, [.. chain.Pieces, branch.Way]) == 0.0)
+        if (!_reverses && _check.StaysInside(straight) && _check.Uncut(straight, [.. chain.Pieces, branch.Path]) == 0.0)
         {
             Add(straight, isLink: true);
             return;
@@ -109,7 +109,7 @@ internal sealed class ContourTour
         Step(branch.Reversed());
     }
 
-    private void Finish(Visit visit)
+    private void Finish(ChainVisit visit)
     {
         _open.Pop();
         var chain = _chains[visit.Chain];
@@ -129,7 +129,7 @@ internal sealed class ContourTour
         Open(main.To, main.Arrives, null);
     }
 
-    private void Forwards(Visit visit, PassPlace to)
+    private void Forwards(ChainVisit visit, PassPlace to)
     {
         if (Math.Abs(to.Along - visit.At.Along) <= PassChain.Joint) return;
         Add(_chains[visit.Chain], visit.At, to, isLink: false);
@@ -143,7 +143,7 @@ internal sealed class ContourTour
         foreach (var piece in pieces) Add(piece, isLink);
     }
 
-    private void Step(PassLink link) => Add(link.Way, isLink: true);
+    private void Step(PassLink link) => Add(link.Path, isLink: true);
 
     private void Add(PathPiece piece, bool isLink)
     {
@@ -159,7 +159,7 @@ internal sealed class ContourTour
     }
 
     /// <summary>A pass that is being cut.</summary>
-    private sealed class Visit(int chain, PassPlace arrived, PassLink? back)
+    private sealed class ChainVisit(int chain, PassPlace arrived, PassLink? back)
     {
         public int Chain { get; } = chain;
 

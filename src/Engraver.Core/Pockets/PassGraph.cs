@@ -12,7 +12,7 @@ internal readonly record struct PassLink(int From, PassPlace At, int To, PassPla
 {
     public PassLink Reversed() => new(To, Arrives, From, At);
 
-    public PathPiece Way => PathPiece.Line(At.Place, Arrives.Place);
+    public PathPiece Path => PathPiece.Line(At.Place, Arrives.Place);
 }
 
 /// <summary>The adjacent passes of a region between which the tool can step.</summary>
@@ -88,7 +88,7 @@ internal sealed class PassGraph
 
     private void Add(PassLink link, double distance)
     {
-        if (distance > _check.LongestStep || !_check.StaysInside(link.Way)) return;
+        if (distance > _check.LongestStep || !_check.StaysInside(link.Path)) return;
         _links[link.From].Add(link);
         _links[link.To].Add(link.Reversed());
         _group[GroupOf(link.From)] = GroupOf(link.To);
@@ -114,13 +114,13 @@ internal sealed class PassGraph
         var best = default(PassLink?);
         foreach (var (piece, number) in _chains[loop].Pieces.Select((piece, number) => (piece, number)))
         {
-            var within = Math.Min(_check.LongestStep, best?.Way.Length ?? double.PositiveInfinity);
+            var within = Math.Min(_check.LongestStep, best?.Path.Length ?? double.PositiveInfinity);
             var item = tree.Nearest(piece.At(0.5), (other, from) => _chains[_owner[other]].Closed && GroupOf(_owner[other]) != GroupOf(loop) ? _pieces[other].DistanceTo(from) : double.PositiveInfinity, within, out var distance);
             if (item < 0 || double.IsInfinity(distance)) continue;
             var link = new PassLink(_owner[item], _chains[_owner[item]].NearestOn(_number[item], piece.At(0.5)), loop, _chains[loop].At(number, 0.5));
-            if (_check.StaysInside(link.Way)) best = link;
+            if (_check.StaysInside(link.Path)) best = link;
         }
 
-        if (best is { } found) Add(found, found.Way.Length);
+        if (best is { } found) Add(found, found.Path.Length);
     }
 }

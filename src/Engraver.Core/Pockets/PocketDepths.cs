@@ -2,19 +2,6 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Entry of the tool to the depth of a stroke.</summary>
-public enum PocketEntry
-{
-    /// <summary>Straight down.</summary>
-    Plunge,
-
-    /// <summary>Down along the first pass: around it when it is closed, back and forth when it is open.</summary>
-    Ramp,
-
-    /// <summary>Down on a helix next to the start of the first pass; without room for a helix, as <see cref="Ramp"/>.</summary>
-    Helix,
-}
-
 /// <summary>Depths of a pocket. Lengths in millimetres.</summary>
 public sealed record PocketDepths
 {
@@ -42,10 +29,3 @@ public sealed record PocketDepths
         }
     }
 }
-
-/// <summary>A stroke at its height, and the descent to it.</summary>
-/// <param name="Stroke">Level, at <paramref name="Z"/>.</param>
-/// <param name="Z">Height, 0 at the top of the work, negative into it.</param>
-/// <param name="Way">Points of the descent with their heights, ending at the start of the stroke; empty for straight down.</param>
-/// <param name="Entry">Type of the descent: a ramp where a helix has no room.</param>
-public sealed record PocketCut(PocketStroke Stroke, double Z, IReadOnlyList<(Point2D Place, double Z)> Way, PocketEntry Entry);

@@ -31,9 +31,9 @@ public static class PocketLevels
 internal sealed class PocketDescent
 {
     /// <summary>Radii of a helix, in tool radii: the largest leaves no core.</summary>
-    private const double LargestScrew = 0.9;
+    private const double MaxHelixRadius = 0.9;
 
-    private const double SmallestScrew = 0.1;
+    private const double MinHelixRadius = 0.1;
 
     /// <summary>Length of a back-and-forth ramp, in tool radii: on a shorter ramp the tool would rotate in place.</summary>
     private const double ShortestRamp = 0.1;
@@ -52,16 +52,16 @@ internal sealed class PocketDescent
     {
         if (_depths.Entry == PocketEntry.Plunge || z >= top) return new PocketCut(stroke, z, [], PocketEntry.Plunge);
         var length = (top - z) / Math.Tan(_depths.RampAngle.Radians);
-        if (_depths.Entry == PocketEntry.Helix && Screw(stroke, length) is { } screw) return new PocketCut(stroke, z, WithHeights(screw, top, z), PocketEntry.Helix);
+        if (_depths.Entry == PocketEntry.Helix && Helix(stroke, length) is { } screw) return new PocketCut(stroke, z, WithHeights(screw, top, z), PocketEntry.Helix);
         return Ramp(stroke, length) is { } ramp ? new PocketCut(stroke, z, WithHeights(ramp, top, z), PocketEntry.Ramp) : new PocketCut(stroke, z, [], PocketEntry.Plunge);
     }
 
     /// <summary>Turns about a centre on the pocket's side of the start, ending in the direction of the first pass; null when no circle of a useful size is
     /// clear of the walls.</summary>
-    private List<Point2D>? Screw(PocketStroke stroke, double length)
+    private List<Point2D>? Helix(PocketStroke stroke, double length)
     {
         var tangent = stroke.Moves[0].Segment.StartTangent;
-        for (var radius = LargestScrew * _options.ToolRadius; radius >= SmallestScrew * _options.ToolRadius; radius /= 2.0)
+        for (var radius = MaxHelixRadius * _options.ToolRadius; radius >= MinHelixRadius * _options.ToolRadius; radius /= 2.0)
         {
             var centre = stroke.Start + (new Vector2D(-tangent.Y, tangent.X) * radius);
             if (_walls.Distance(centre) < _options.ToolRadius + radius - Rounding) continue;

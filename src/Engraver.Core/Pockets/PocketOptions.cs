@@ -2,16 +2,6 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Strategy for cutting the inside of a pocket.</summary>
-public enum PocketStrategy
-{
-    /// <summary>Passes parallel to the walls.</summary>
-    Contour,
-
-    /// <summary>Straight rows back and forth, and a pass along the walls.</summary>
-    Zigzag,
-}
-
 /// <summary>Tool and strategy of a pocket. Lengths in millimetres.</summary>
 public sealed record PocketOptions
 {

@@ -13,7 +13,7 @@ public static class PocketPlanner
     private const double AreaRounding = 1e-7;
 
     /// <summary>Distance from the boundary of the reachable area beyond which material counts as left, millimetres.</summary>
-    private const double WorthTelling = 1e-5;
+    private const double MinReportedDepth = 1e-5;
 
     /// <param name="contours">The drawn contours; open contours have no inside and are only counted.</param>
     /// <param name="options">Tool and strategy.</param>
@@ -89,7 +89,7 @@ public static class PocketPlanner
             var reached = ContourOffset.Offset([.. loops.Select(loop => new OffsetContour([.. loop.Select(piece => piece.ToSegment())], true))], options.ToolRadius, OffsetSide.Out, offset);
             Depths.Unresolved.AddRange(reached.Unresolved);
             ReachableArea = reached.Loops.Sum(loop => loop.SignedArea);
-            Unreached = UnreachedPlaces.Find(region.Walls, loops, reached.Loops, options.ToolRadius);
+            Unreached = UnreachableMaterial.Find(region.Walls, loops, reached.Loops, options.ToolRadius);
             if (options.Allowance > 0.0) _finish = [.. passes.Select(loop => new PassChain(loop, loop[^1].End == loop[0].Start, PassKind.Finish, 0))];
             var wall = options.Allowance > 0.0 ? Depths.At(options.ToolRadius + options.Allowance) : passes;
             if (options.Strategy == PocketStrategy.Zigzag) PlanRows(wall);
@@ -126,7 +126,7 @@ public static class PocketPlanner
             CoveredArea = swept.Area;
             if (CoveredArea >= ReachableArea * (1.0 - AreaRounding)) return;
             var border = new SweptReach([.. reached.SelectMany(loop => loop.Segments).Select(segment => PathPiece.FromSegment(segment))], options.ToolRadius);
-            LeftStanding = [.. swept.Border.Select(part => part.PointAt(0.5)).Where(place => border.Distance(place) > WorthTelling)];
+            LeftStanding = [.. swept.Border.Select(part => part.PointAt(0.5)).Where(place => border.Distance(place) > MinReportedDepth)];
         }
 
         private static List<(PathPiece Piece, bool IsLink)> Alone(PassChain chain)

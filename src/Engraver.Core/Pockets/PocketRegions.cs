@@ -51,7 +51,7 @@ internal static class PocketRegions
         PathPiece[][] walls = [.. closed.Select(contour => Pieces(Arcs(contour, options)))];
         PathPiece[] pieces = [.. walls.SelectMany(wall => wall)];
         int[] wallOf = [.. walls.SelectMany((wall, index) => Enumerable.Repeat(index, wall.Length))];
-        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.MaxCount];
         foreach (var (first, second) in new PieceTree(pieces).Pairs(Tolerance))
         {
             var (a, b) = (pieces[first], pieces[second]);

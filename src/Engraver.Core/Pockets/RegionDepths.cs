@@ -12,7 +12,7 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
     private const double Rounding = 5e-7;
 
     /// <summary>Additional length of the loops from which on such a channel was found.</summary>
-    private const double WorthACut = 1e-4;
+    private const double MinChannelLength = 1e-4;
 
     public List<Point2D> Unresolved { get; } = [];
 
@@ -32,7 +32,7 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
     public (List<PathPiece[]> Loops, List<PathPiece[]> Passes) AtRadius(double radius)
     {
         var (exact, wider) = (At(radius), At(radius - Rounding));
-        return exact.Count == 0 || LengthOf(wider) > LengthOf(exact) + WorthACut ? (wider, WithoutReturns(wider)) : (exact, exact);
+        return exact.Count == 0 || LengthOf(wider) > LengthOf(exact) + MinChannelLength ? (wider, WithoutReturns(wider)) : (exact, exact);
     }
 
     /// <summary>The widest point of a region, and its width, for a region in which no point is as deep as the radius.</summary>

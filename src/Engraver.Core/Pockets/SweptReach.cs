@@ -110,7 +110,7 @@ internal sealed class SweptReach
 
     private void AddCrossings(in PathPiece part, in PathPiece border)
     {
-        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.MaxCount];
         var count = PieceCrossings.Between(part, border, Tolerance, found);
         for (var i = 0; i < count; i++)
         {

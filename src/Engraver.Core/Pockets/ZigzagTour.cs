@@ -8,7 +8,7 @@ namespace Engraver.Core.Pockets;
 internal sealed class ZigzagTour
 {
     /// <summary>Longest path along a wall to the next row, in stepovers and tool radii together.</summary>
-    private const double LongestWay = 6.0;
+    private const double MaxLinkLength = 6.0;
 
     private readonly IReadOnlyList<PassChain> _walls;
     private readonly ZigzagRows _rows;
@@ -30,7 +30,7 @@ internal sealed class ZigzagTour
     {
         (_walls, _rows, _check) = (walls, rows, check);
         _radius = options.ToolRadius * (1.0 + 1e-9);
-        _longest = LongestWay * (options.PassDistance + options.ToolRadius);
+        _longest = MaxLinkLength * (options.PassDistance + options.ToolRadius);
         _step = Math.Max(0.0, options.PassDistance - options.ToolRadius) * (1.0 + 1e-6);
         (_done, _wallDone) = (new bool[rows.Rows.Count], new bool[walls.Count]);
         _byNumber = Enumerable.Range(0, rows.Rows.Count).ToLookup(row => rows.Rows[row].Row);
@@ -114,7 +114,7 @@ internal sealed class ZigzagTour
 
         foreach (var (other, forwards, place) in candidates)
         {
-            if (WayAlong(tool, place) is not { } ways || Uncut(ways) > _step) continue;
+            if (PathAlong(tool, place) is not { } ways || Uncut(ways) > _step) continue;
             foreach (var way in ways) Link(way);
             return (other, forwards);
         }
@@ -130,7 +130,7 @@ internal sealed class ZigzagTour
     }
 
     /// <summary>Along the loop at which both rows end, which is in the area cut by the pass along the wall.</summary>
-    private List<PathPiece>? WayAlong(Point2D from, Point2D to)
+    private List<PathPiece>? PathAlong(Point2D from, Point2D to)
     {
         var (first, start) = _endFinder.Nearest(from);
         var (second, end) = _endFinder.Nearest(to);

@@ -11,7 +11,7 @@ public sealed class ClDataPost : IPost
 
     public string Summary => Wording.Get("ClDataPost.Summary");
 
-    public string Ending => ".dxf";
+    public string FileExtension => ".dxf";
 
     public PostGeometry Geometry => PostGeometry.Curves;
 
@@ -19,7 +19,7 @@ public sealed class ClDataPost : IPost
 
     public IReadOnlyList<PostOption> Options => [];
 
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
         using var text = new StringWriter { NewLine = "\n" };
@@ -29,9 +29,9 @@ public sealed class ClDataPost : IPost
         }
         catch (UnwritableEntityException unwritable)
         {
-            return new PostText([], [PostRules.NotFinite.At(unwritable.Source, UnwritableEntityException.NameOf(unwritable.Source))]);
+            return new PostOutput([], [PostRules.NotFinite.At(unwritable.Source, UnwritableEntityException.NameOf(unwritable.Source))]);
         }
 
-        return new PostText([text.ToString()], []);
+        return new PostOutput([text.ToString()], []);
     }
 }

@@ -39,12 +39,12 @@ public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
     }
 
     /// <summary>The pieces from one place to another along the object; over the seam of a closed one when the second place is not after the first.</summary>
-    public IReadOnlyList<PathPiece> Between(PathPlace from, PathPlace to)
+    public IReadOnlyList<PathRange> Between(PathPlace from, PathPlace to)
     {
         if (!Closed || to.Position > from.Position) return Straight(from, to);
         var (behind, ahead) = (Straight(from, End), Straight(Start, to));
         var isOneOverSeam = Parts.Count == 1 && behind.Count + ahead.Count == 2;
-        return isOneOverSeam ? [new PathPiece(0, from.Fraction, 1.0 + to.Fraction, from.At, to.At)] : [.. behind, .. ahead];
+        return isOneOverSeam ? [new PathRange(0, from.Fraction, 1.0 + to.Fraction, from.At, to.At)] : [.. behind, .. ahead];
     }
 
     private PathPlace PlaceOf(int index, Point2D at) => new(index, Math.Clamp(PathPlace.FractionOf(Parts[index], at), 0.0, 1.0), at);
@@ -66,15 +66,15 @@ public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
 
     private bool IsAt(PathPlace a, PathPlace b) => Math.Abs(a.Position - b.Position) < 0.5 && a.At.IsNear(b.At, _near);
 
-    private List<PathPiece> Straight(PathPlace from, PathPlace to)
+    private List<PathRange> Straight(PathPlace from, PathPlace to)
     {
-        var pieces = new List<PathPiece>();
+        var pieces = new List<PathRange>();
         for (var index = from.Part; index <= to.Part; index++)
         {
             var part = Parts[index];
             var begin = index == from.Part ? from : new PathPlace(index, 0.0, part.Start);
             var end = index == to.Part ? to : new PathPlace(index, 1.0, part.End);
-            if (end.Fraction > begin.Fraction && !(end.At.IsNear(begin.At, _near) && end.Fraction - begin.Fraction < 0.5)) pieces.Add(new PathPiece(index, begin.Fraction, end.Fraction, begin.At, end.At));
+            if (end.Fraction > begin.Fraction && !(end.At.IsNear(begin.At, _near) && end.Fraction - begin.Fraction < 0.5)) pieces.Add(new PathRange(index, begin.Fraction, end.Fraction, begin.At, end.At));
         }
 
         return pieces;

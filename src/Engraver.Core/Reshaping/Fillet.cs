@@ -123,30 +123,17 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
         var centre = from + (across * 0.5);
         var sweep = Angle.FromDegrees(outward.Cross(across) > 0.0 ? 180.0 : -180.0);
         var between = Segment.FromArc(new ArcSegment(centre, across.Length / 2.0, (-across).Direction, sweep), from, to);
-        return Kept(second, to, outward, out var kept) ? new Fillet(new FilletSide(PathPiece.Whole(0, first), !atStart), kept, between) : null;
+        return Kept(second, to, outward, out var kept) ? new Fillet(new FilletSide(PathRange.Whole(0, first), !atStart), kept, between) : null;
     }
 
     private static FilletSide? Shortened(Segment line, FilletSide side, double by)
     {
         if (line.Length == 0.0) return null;
-        var (share, kept) = (by / line.Length, side.Kept);
-        var at = side.EndsThere ? kept.To - share : kept.From + share;
-        if (side.EndsThere ? at <= 0.0 : at >= 1.0) return null;
-        return FilletSide.Of(line, at, by == 0.0 ? side.Joint : line.PointAt(at), side.EndsThere);
+        var (share, kept) = (by / line.Length, side.Remaining);
+        var at = side.EndsAtJoint ? kept.To - share : kept.From + share;
+        if (side.EndsAtJoint ? at <= 0.0 : at >= 1.0) return null;
+        return FilletSide.Of(line, at, by == 0.0 ? side.Joint : line.PointAt(at), side.EndsAtJoint);
     }
 
     private static bool AreParallel(Segment a, Segment b) => Math.Abs(a.StartTangent.Cross(b.StartTangent)) < Parallel;
-}
-
-/// <summary>Remaining part of a line or arc at a fillet.</summary>
-/// <param name="Kept">Cut or lengthened at the fillet (part 0).</param>
-/// <param name="EndsThere">True when it runs from its start to the fillet; otherwise it runs from the fillet to its end.</param>
-public readonly record struct FilletSide(PathPiece Kept, bool EndsThere)
-{
-    /// <summary>The point where it meets the fillet.</summary>
-    public Point2D Joint => EndsThere ? Kept.End : Kept.Start;
-
-    internal static FilletSide Of(Segment segment, double fraction, Point2D at, bool endsThere) => endsThere
-        ? new FilletSide(new PathPiece(0, 0.0, fraction, segment.Start, at), true)
-        : new FilletSide(new PathPiece(0, fraction, 1.0, at, segment.End), false);
 }

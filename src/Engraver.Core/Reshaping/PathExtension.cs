@@ -7,13 +7,13 @@ namespace Engraver.Core.Reshaping;
 public static class PathExtension
 {
     /// <summary>An edge at which the object already ends is not the next one: it is nearer than this fraction of the sizes and coordinates.</summary>
-    private const double AlreadyThere = 1e-9;
+    private const double SamePlaceTolerance = 1e-9;
 
     /// <summary>The end that is nearer to a place, lengthened to the next edge.</summary>
     /// <param name="edges">The boundary edges.</param>
     /// <param name="lengthened">True when lines and arcs among the edges also extend beyond their ends.</param>
     /// <returns>The first or last part, which grows (fraction below 0 or above 1), and what is added to it; null when there is no edge ahead.</returns>
-    public static (PathPiece Grown, PathPiece Added)? Find(EntityPath path, IEnumerable<Segment> edges, Point2D picked, bool lengthened = false)
+    public static (PathRange Grown, PathRange Added)? Find(EntityPath path, IEnumerable<Segment> edges, Point2D picked, bool lengthened = false)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(edges);
@@ -24,15 +24,15 @@ public static class PathExtension
         if (part.IsFreeCurve) return null;
         if (Next(atStart ? part.Reversed() : part, edges, lengthened) is not { } next) return null;
         return atStart
-            ? (new PathPiece(index, -next.Beyond, 1.0, next.At, part.End), new PathPiece(index, -next.Beyond, 0.0, next.At, part.Start))
-            : (new PathPiece(index, 0.0, 1.0 + next.Beyond, part.Start, next.At), new PathPiece(index, 1.0, 1.0 + next.Beyond, part.End, next.At));
+            ? (new PathRange(index, -next.Beyond, 1.0, next.At, part.End), new PathRange(index, -next.Beyond, 0.0, next.At, part.Start))
+            : (new PathRange(index, 0.0, 1.0 + next.Beyond, part.Start, next.At), new PathRange(index, 1.0, 1.0 + next.Beyond, part.End, next.At));
     }
 
     /// <summary>The nearest edge beyond the end of a part; the distance is a fraction of its length.</summary>
     private static (double Beyond, Point2D At)? Next(Segment part, IEnumerable<Segment> edges, bool lengthened)
     {
         (double Beyond, Point2D At)? nearest = null;
-        var slack = AlreadyThere * (part.Length + Math.Abs(part.End.X) + Math.Abs(part.End.Y));
+        var slack = SamePlaceTolerance * (part.Length + Math.Abs(part.End.X) + Math.Abs(part.End.Y));
         foreach (var edge in edges)
         {
             foreach (var at in SegmentCrossings.Carriers(part, edge))

@@ -44,7 +44,7 @@ public static class CharacterFrames
     public static byte Decode(this CharacterFrame frame, byte bits) => frame == CharacterFrame.EightNone ? bits : (byte)(bits & Low);
 
     /// <summary>True when the parity of the received bits is correct.</summary>
-    public static bool IsSound(this CharacterFrame frame, byte bits) => frame.Encode(frame.Decode(bits)) == bits;
+    public static bool HasValidParity(this CharacterFrame frame, byte bits) => frame.Encode(frame.Decode(bits)) == bits;
 
     private static bool IsOdd(byte character) => (BitOperations.PopCount(character) & 1) == 1;
 }

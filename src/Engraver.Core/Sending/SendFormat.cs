@@ -6,7 +6,7 @@ namespace Engraver.Core.Sending;
 public sealed record SendFormat
 {
     /// <summary>Maximum number of NULs before or after a program: 2 m of tape are 800.</summary>
-    public const int MostNuls = 10_000;
+    public const int MaxNuls = 10_000;
 
     public static SendFormat Default { get; } = new();
 

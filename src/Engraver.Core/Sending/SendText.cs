@@ -42,7 +42,7 @@ public static class SendText
     public static Diagnostic? TooLong(IReadOnlyList<ReadOnlyMemory<byte>> program)
     {
         var blocks = program.Count(line => line.Span.Trim((byte)' ') is var words && !words.IsEmpty && !words.SequenceEqual("%"u8));
-        return blocks > AgieText.MostBlocks ? SendingRules.TooManyBlocks.At(default, Text(blocks), Text(AgieText.MostBlocks)) : null;
+        return blocks > AgieText.MaxBlocks ? SendingRules.TooManyBlocks.At(default, Text(blocks), Text(AgieText.MaxBlocks)) : null;
     }
 
     /// <summary>All characters to send, in their bits; or the reason why they cannot be sent.</summary>
@@ -69,18 +69,3 @@ public static class SendText
 
     private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 }
-
-/// <summary>The transmission: every character in its bits.</summary>
-/// <param name="Leader">Text before the first line.</param>
-/// <param name="Lines">Lines, each with its line end.</param>
-/// <param name="Trailer">Text after the last line.</param>
-public sealed record SendJob(ReadOnlyMemory<byte> Leader, IReadOnlyList<ReadOnlyMemory<byte>> Lines, ReadOnlyMemory<byte> Trailer)
-{
-    /// <summary>Total number of characters.</summary>
-    public long Length => Leader.Length + Lines.Sum(line => (long)line.Length) + Trailer.Length;
-}
-
-/// <summary>The result of preparing a program for sending.</summary>
-/// <param name="Job">Null when it cannot be sent.</param>
-/// <param name="Why">The reason why it cannot be sent; null when it can.</param>
-public sealed record SendEncoding(SendJob? Job, Diagnostic? Why);

@@ -13,7 +13,7 @@ internal sealed class CurveCount
     public CurveCount(Drawing? drawing) => _drawing = drawing is not null && HasCurves(drawing) ? drawing : null; // without curves the entities need not be looked up
 
     /// <param name="moves">Moves of a stroke.</param>
-    public int Add(TableMoves moves)
+    public int Add(StrokeMoveView moves)
     {
         if (_drawing is null) return moves.Count;
         var count = 0;

@@ -7,7 +7,7 @@ namespace Engraver.Core.Sequencing;
 internal sealed class DirectionTree
 {
     private const int Fanout = 4;
-    private const int Nobody = int.MaxValue;
+    private const int NoItem = int.MaxValue;
     private const double SmallestSquare = 1e-9;
     private readonly int[] _ends;
 
@@ -23,7 +23,7 @@ internal sealed class DirectionTree
     }
 
     /// <summary>Number of nodes that were tested.</summary>
-    public long Looks { get; private set; }
+    public long Comparisons { get; private set; }
 
     /// <param name="ends">Numbers of ends.</param>
     /// <param name="places">Position of each end, by its number.</param>
@@ -55,9 +55,9 @@ internal sealed class DirectionTree
 
     private void Straightest(int level, int index, in Query query, ref double best)
     {
-        Looks++;
+        Comparisons++;
         var node = _levels[level][index];
-        if (node.Lowest == Nobody || node.LargestCosine(query.Travel) <= best || !node.Reaches(query)) return;
+        if (node.Lowest == NoItem || node.LargestCosine(query.Travel) <= best || !node.Reaches(query)) return;
         if (level == 0)
         {
             if (Counts(index, query)) best = node.LargestCosine(query.Travel);
@@ -69,7 +69,7 @@ internal sealed class DirectionTree
 
     private void Lowest(int level, int index, in Query query, double leastCosine, ref int best)
     {
-        Looks++;
+        Comparisons++;
         var node = _levels[level][index];
         if (node.Lowest >= best || node.LargestCosine(query.Travel) < leastCosine || !node.Reaches(query)) return;
         if (level == 0)
@@ -91,12 +91,12 @@ internal sealed class DirectionTree
 
     private void Remove(int index)
     {
-        _levels[0][index] = _levels[0][index] with { Lowest = Nobody };
+        _levels[0][index] = _levels[0][index] with { Lowest = NoItem };
         for (var level = 1; level < _levels.Length; level++)
         {
             index /= Fanout;
             var below = _levels[level - 1];
-            var lowest = Nobody;
+            var lowest = NoItem;
             for (var child = index * Fanout; child < Math.Min((index + 1) * Fanout, below.Length); child++) lowest = Math.Min(lowest, below[child].Lowest);
             _levels[level][index] = _levels[level][index] with { Lowest = lowest };
         }

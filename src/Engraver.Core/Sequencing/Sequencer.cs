@@ -62,7 +62,7 @@ public static class Sequencer
         var entries = Entries(chained, options, findings);
         var (table, reversed) = SequencedTable.Write(chained, entries);
         var strokes = Strokes(chained, entries, table);
-        var travel = Travels.Through(options.ToolStart, strokes);
+        var travel = TravelDistance.Through(options.ToolStart, strokes);
         return new SequencingResult
         {
             Strokes = strokes,
@@ -74,7 +74,7 @@ public static class Sequencer
             PathLength = strokes.Sum(stroke => stroke.Length),
             Travel = travel,
             TravelAndBack = travel + (strokes.Count == 0 ? 0.0 : strokes[^1].End.DistanceTo(options.ToolStart)),
-            TravelAsDrawn = Travels.AsDrawn(options.ToolStart, chained.Analysed),
+            TravelAsDrawn = TravelDistance.AsDrawn(options.ToolStart, chained.Analysed),
             Diagnostics = findings.Diagnostics,
         };
     }
@@ -87,7 +87,7 @@ public static class Sequencer
         var depth = options.CutsHeights ? DepthOrder.From(contours, segments, EndHeights.From(chained.Kept, options.JoinTolerance), options.DuplicateTolerance, EndHeights.ToleranceFor(options.JoinTolerance)) : DepthOrder.None;
         depth.Untangle(inside);
         var first = default(StrokeEntry?);
-        if (options.Enter is { } requested)
+        if (options.Entry is { } requested)
         {
             var enter = EntrySubstitute.Resolve(requested, chained);
             first = EntrySearch.Find(enter, chained, options.ToolStart);

@@ -66,9 +66,9 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     /// <param name="wish">The operator's request.</param>
     /// <param name="enter">The entity that is cut for the request.</param>
-    public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
+    public void AddEntry(EntryRequest wish, EntryRequest enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
-        if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
+        if (enter != wish && (wish, enter) is (EntryRequest.AtEntity { EntityIndex: var named }, EntryRequest.AtEntity { EntityIndex: var standIn }))
             AddEntryReplaced(named, HandleOf(named), HandleOf(standIn));
         if (entry is not { } found)
         {

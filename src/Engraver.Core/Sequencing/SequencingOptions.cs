@@ -29,5 +29,5 @@ public sealed record SequencingOptions
     public required StrokeOrder Order { get; init; }
 
     /// <summary>The stroke that must come first; null for no requirement.</summary>
-    public EnterAt? Enter { get; init; }
+    public EntryRequest? Entry { get; init; }
 }

@@ -23,12 +23,12 @@ internal sealed class StrokeList(EntityTable table, int count) : IndexedList<Seq
     /// <param name="curves">Counts lines, arcs and curves.</param>
     public void Add(bool closed, int rows, int inside, CurveCount curves)
     {
-        var moves = new TableMoves(table, _rows[_count], rows);
+        var moves = new StrokeMoveView(table, _rows[_count], rows);
         (_closed[_count], _inside[_count], _segments[_count], _lengths[_count]) = (closed, inside, curves.Add(moves), moves.Length);
         _rows[_count + 1] = _rows[_count] + rows;
         _count++;
     }
 
     protected override SequencedStroke ItemAt(int index) =>
-        new(index, _closed[index], new TableMoves(table, _rows[index], _rows[index + 1] - _rows[index]), _segments[index], _lengths[index], _inside[index]);
+        new(index, _closed[index], new StrokeMoveView(table, _rows[index], _rows[index + 1] - _rows[index]), _segments[index], _lengths[index], _inside[index]);
 }

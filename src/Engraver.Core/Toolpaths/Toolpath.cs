@@ -7,20 +7,3 @@ namespace Engraver.Core.Toolpaths;
 /// <param name="ToolStart">Position of the tool when the job starts (drawing point, millimetres).</param>
 /// <param name="Strokes">Strokes in the order of cutting; may be empty.</param>
 public sealed record Toolpath(Point2D ToolStart, IReadOnlyList<ToolpathStroke> Strokes);
-
-/// <summary>One contour as it is cut: consecutive moves, with the tool on from the first to the last.</summary>
-/// <param name="Index">Index in the order of cutting, 0 is first.</param>
-/// <param name="Closed">True when the stroke ends where it starts.</param>
-/// <param name="Moves">At least one move; each starts within the join tolerance of the end of the previous one.</param>
-public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<StrokeMove> Moves)
-{
-    /// <summary>Number of moves of each row of the sequenced table: several for an ellipse or spline that was converted to arcs and lines. Null when every row
-    /// is one move.</summary>
-    public IReadOnlyList<int>? RowMoves { get; init; }
-
-    public Point2D Start => Moves[0].Segment.Start;
-
-    public Point2D End => Moves[^1].Segment.End;
-
-    public double Length => Moves.Sum(move => move.Segment.Length);
-}

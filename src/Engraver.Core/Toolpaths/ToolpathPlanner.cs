@@ -15,19 +15,19 @@ public static class ToolpathPlanner
     public static Toolpath Plan(SequencingResult sequenced, Point2D toolStart, double maxErrorMm)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
-        return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : Same(sequenced.Strokes));
+        return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : AreSame(sequenced.Strokes));
     }
 
     /// <summary>Strokes with unchanged ellipses and splines, for machines that cut them directly.</summary>
-    public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, Same(sequenced.Strokes));
+    public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, AreSame(sequenced.Strokes));
 
-    private static MadeList<ToolpathStroke> Same(IReadOnlyList<SequencedStroke> strokes) => new(strokes.Count, index => Same(strokes[index]));
+    private static ComputedList<ToolpathStroke> AreSame(IReadOnlyList<SequencedStroke> strokes) => new(strokes.Count, index => AreSame(strokes[index]));
 
-    private static ToolpathStroke Same(SequencedStroke stroke) => new(stroke.Index, stroke.Closed, stroke.Moves);
+    private static ToolpathStroke AreSame(SequencedStroke stroke) => new(stroke.Index, stroke.Closed, stroke.Moves);
 
     private static ToolpathStroke Cuttable(SequencedStroke stroke, double maxErrorMm)
     {
-        if (!stroke.Moves.Any(move => move.Segment.IsFreeCurve)) return Same(stroke);
+        if (!stroke.Moves.Any(move => move.Segment.IsFreeCurve)) return AreSame(stroke);
         var (cuttable, rowMoves) = (new List<StrokeMove>(), new List<int>(stroke.Moves.Count));
         foreach (var move in stroke.Moves)
         {

@@ -12,9 +12,9 @@ internal sealed class ChainPiece
     /// <summary>Allowed distance of a control point of a straight curve from its chord, millimetres: only rounding.</summary>
     private const double StraightWithin = 1e-9;
 
-    private const int MostNewtonSteps = 8;
+    private const int MaxNewtonSteps = 8;
 
-    private const int MostLengthSteps = 60;
+    private const int MaxLengthSteps = 60;
 
     /// <summary>Accuracy, as a fraction of its length, of a place on a free piece found by <see cref="FractionAtArcLength"/>.</summary>
     private const double LengthShare = 1e-13;
@@ -72,15 +72,15 @@ internal sealed class ChainPiece
         }
     }
 
-    public ChainPlace At(double fraction)
+    public ChainPoint At(double fraction)
     {
         if (_span is null)
         {
-            if (IsLine) return new ChainPlace(_segment.PointAt(fraction), _segment.StartTangent, 0.0);
-            return new ChainPlace(_segment.Arc.PointAt(fraction), _segment.Arc.TangentAt(fraction), Math.Sign(_segment.Arc.Sweep.Degrees) / _segment.Arc.Radius);
+            if (IsLine) return new ChainPoint(_segment.PointAt(fraction), _segment.StartTangent, 0.0);
+            return new ChainPoint(_segment.Arc.PointAt(fraction), _segment.Arc.TangentAt(fraction), Math.Sign(_segment.Arc.Sweep.Degrees) / _segment.Arc.Radius);
         }
 
-        return new ChainPlace(_span.PointAt(fraction), _span.TangentAt(fraction), Curvature(fraction));
+        return new ChainPoint(_span.PointAt(fraction), _span.TangentAt(fraction), Curvature(fraction));
     }
 
     /// <summary>Point and direction of travel by a fast method: for measurements at samples, which are not part of a proof.</summary>
@@ -167,7 +167,7 @@ internal sealed class ChainPiece
     private double InCell(int cell, double along, double fraction)
     {
         var (low, high) = ((double)cell / TableSteps, (cell + 1.0) / TableSteps);
-        for (var step = 0; step < MostLengthSteps; step++)
+        for (var step = 0; step < MaxLengthSteps; step++)
         {
             var off = FreeLength(cell, fraction) - along;
             if (Math.Abs(off) <= LengthShare * Length) return fraction;
@@ -182,7 +182,7 @@ internal sealed class ChainPiece
     private double FreeFoot(Point2D place, double guess, double near)
     {
         var fraction = Math.Clamp(guess, 0.0, 1.0);
-        for (var step = 0; step < MostNewtonSteps; step++)
+        for (var step = 0; step < MaxNewtonSteps; step++)
         {
             var on = _powers!.Evaluate(fraction, out var slope);
             var squared = slope.LengthSquared;
@@ -227,13 +227,4 @@ internal sealed class ChainPiece
 
         return true;
     }
-}
-
-/// <summary>A place of a chain.</summary>
-/// <param name="Tangent">Direction of travel, length 1.</param>
-/// <param name="Curvature">1/mm, left turn positive.</param>
-internal readonly record struct ChainPlace(Point2D Point, Vector2D Tangent, double Curvature)
-{
-    /// <summary>Normal to the left of the direction of travel, length 1.</summary>
-    public Vector2D Normal => new(-Tangent.Y, Tangent.X);
 }

@@ -7,12 +7,12 @@ namespace Engraver.Core.Trajectories;
 /// the middle of a step; at 2 R / (1 + m) the error is on both sides (sace-xps-agie.md 3.4).</remarks>
 public static class HelixPlanner
 {
-    private const int FewestSteps = 8;
+    private const int MinSteps = 8;
 
-    private const int MostSteps = 100_000;
+    private const int MaxSteps = 100_000;
 
     /// <summary>Maximum number of turns of one hole.</summary>
-    public const int MostTurns = 10_000;
+    public const int MaxTurns = 10_000;
 
     /// <param name="centre">Centre of the hole, millimetres.</param>
     /// <param name="radius">Radius of the tool centre path, above 0.</param>
@@ -29,10 +29,10 @@ public static class HelixPlanner
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(pitch);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
         var turns = Math.Ceiling((depth / pitch) - 1e-9);
-        if (!(turns <= MostTurns)) return null;
+        if (!(turns <= MaxTurns)) return null;
         var (sense, rounds) = (clockwise ? -1.0 : 1.0, Math.Max(1, (int)turns));
         List<Segment> source = [.. Enumerable.Repeat(Segment.FromArc(new ArcSegment(centre, radius, Angle.Zero, Angle.FullTurn * sense)), rounds + 1)];
-        for (double steps = FewestSteps; steps * (rounds + 1) < MostSteps; steps = Math.Ceiling(steps * 1.1))
+        for (double steps = MinSteps; steps * (rounds + 1) < MaxSteps; steps = Math.Ceiling(steps * 1.1))
         {
             if (With((int)steps, rounds) is { } one && one.VerifiedBound <= maxError) return one;
         }

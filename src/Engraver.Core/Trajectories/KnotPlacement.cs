@@ -7,7 +7,7 @@ internal static class KnotPlacement
     private const double Missing = 0.02;
 
     /// <summary>Minimum number of steps of a closed chain: with fewer, the ends of a periodic spline would be their own neighbours.</summary>
-    private const int FewestOfRound = 4;
+    private const int MinPerRound = 4;
 
     /// <returns>Increasing; of a closed chain the last is the first plus one round.</returns>
     public static List<double> Place(SmoothChain chain, SpacingProfile profile)
@@ -34,7 +34,7 @@ internal static class KnotPlacement
         var steps = wraps ? profile.Steps(from.At, chain.Length) + profile.Steps(0.0, to.At - chain.Length) : profile.Steps(from.At, to.At);
         var offset = Math.Abs(to.Phase - from.Phase);
         var count = Math.Max(offset + Math.Ceiling(steps - offset - Missing), offset > 0.0 ? offset : 1.0);
-        if (alone && chain.Closed) count = Math.Max(count, FewestOfRound);
+        if (alone && chain.Closed) count = Math.Max(count, MinPerRound);
         var first = from.Phase == 0.0 ? 0.0 : 1.0 - from.Phase;
         if (!wraps)
         {

@@ -48,7 +48,7 @@ internal sealed class SmoothChain
         return low;
     }
 
-    public ChainPlace At(double length)
+    public ChainPoint At(double length)
     {
         length = Wrapped(length);
         var piece = _pieces[PieceAt(length)];
@@ -56,7 +56,7 @@ internal sealed class SmoothChain
     }
 
     /// <summary>The place at a length by quadrature (<see cref="ChainPiece.ArcLengthAt"/>), and the same place as a length for <see cref="At"/>.</summary>
-    public (ChainPlace Place, double At) AtArcLength(double length)
+    public (ChainPoint Place, double At) AtArcLength(double length)
     {
         length = Wrapped(length);
         var piece = _pieces[PieceAt(length)];

@@ -17,7 +17,7 @@ internal sealed class SpacingProfile
     private const double CornerFactor = 13.5 * 0.9;
 
     /// <summary>Longest step in radians of turn.</summary>
-    private const double MostTurn = 1.4;
+    private const double MaxTurn = 1.4;
 
     private readonly SmoothChain _chain;
     private readonly double[] _from;
@@ -177,7 +177,7 @@ internal sealed class SpacingProfile
         {
             var curvature = Math.Abs(_curvature[i]);
             if (curvature * Longest < 1e-9) (_most[i], _perError[i]) = (Longest, double.PositiveInfinity);
-            else (_most[i], _perError[i]) = (Math.Min(Longest, MostTurn / curvature), Math.Pow(128.0 / (3.0 * curvature * curvature * curvature), 0.25));
+            else (_most[i], _perError[i]) = (Math.Min(Longest, MaxTurn / curvature), Math.Pow(128.0 / (3.0 * curvature * curvature * curvature), 0.25));
         }
     }
 

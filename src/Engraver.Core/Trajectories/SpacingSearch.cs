@@ -5,17 +5,17 @@ namespace Engraver.Core.Trajectories;
 internal sealed class SpacingSearch(SmoothChain chain, double maxError)
 {
     /// <summary>Largest ratio of a step to its neighbour.</summary>
-    public const double MostRatio = 4.0;
+    public const double MaxRatio = 4.0;
 
     /// <summary>The samples must stay below this fraction of the error, because the bound is slightly larger than they are.</summary>
     private const double SampleShare = 0.996;
 
     private const int Rounds = 12;
 
-    private const double MostBoost = 1.1;
+    private const double MaxBoost = 1.1;
 
     /// <summary>Moving points across the chain can at most halve an error: beyond this multiple of the allowed error it does not help.</summary>
-    private const double Hopeless = 2.5;
+    private const double HopelessErrorRatio = 2.5;
 
     /// <summary>Maximum number of measured steps for any chain, and for each of its points, in the search for fewer points.</summary>
     private const int MeasuredAtLeast = 60_000;
@@ -25,14 +25,14 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private const double Finest = 1.0 / 4096.0;
     private const double Coarsest = 100.0;
 
-    private const int MostTries = 10;
+    private const int MaxTries = 10;
 
     /// <summary>Equal steps of the whole chain: the smallest and the largest number that are tried.</summary>
-    private const double FewestEven = 16.0;
-    private const double MostEven = 100_000.0;
+    private const double MinEvenSegments = 16.0;
+    private const double MaxEvenSegments = 100_000.0;
 
     /// <summary>Over three halvings of equal steps the error falls by 64 on a smooth curve, and by 8 at a cusp, where further halving does not help.</summary>
-    private const double FallsBy = 14.0;
+    private const double ExpectedErrorRatio = 14.0;
 
     private const int EvenTries = 4;
 
@@ -57,10 +57,10 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     public SplineCandidate? Find()
     {
         if (chain.Pieces.Count == 1 && chain.Pieces[0].IsLine) return Straight();
-        foreach (var growth in Growths.TakeWhile(_ => MayGoOn)) Refine(growth, null);
+        foreach (var growth in Growths.TakeWhile(_ => CanContinue)) Refine(growth, null);
         if (chain.Pieces.Any(piece => piece.IsFree))
         {
-            foreach (var soft in Softnesses.TakeWhile(_ => MayGoOn)) Refine(1.1, soft);
+            foreach (var soft in Softnesses.TakeWhile(_ => CanContinue)) Refine(1.1, soft);
         }
 
         if (_best is null) FindEven();
@@ -72,7 +72,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private void FindEven()
     {
         var errors = new List<double>();
-        for (var steps = FewestEven; steps < MostEven && (errors.Count < 4 || errors[^1] * FallsBy < errors[^4]); steps *= 2.0)
+        for (var steps = MinEvenSegments; steps < MaxEvenSegments && (errors.Count < 4 || errors[^1] * ExpectedErrorRatio < errors[^4]); steps *= 2.0)
         {
             if (TryEven(steps, out var error))
             {
@@ -109,7 +109,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     {
         for (var scale = 1.0; _best is null && scale >= Finest; scale /= 3.0) Try(scale, growth, soft, int.MaxValue);
         if (_best is null) return;
-        for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MostTries && MayGoOn; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
+        for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MaxTries && CanContinue; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
     }
 
     /// <summary>Tries the finest scale that needs correspondingly fewer points, and coarser scales, which repairs make denser where necessary.</summary>
@@ -121,7 +121,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
 
     /// <summary>There is no limit until the first spline is within the error; after that the number of measured steps is limited by the length of the chain, so
     /// that the time is linear in it.</summary>
-    private bool MayGoOn => _best is null || _measured < MeasuredAtLeast + ((long)MeasuredForPoint * Count);
+    private bool CanContinue => _best is null || _measured < MeasuredAtLeast + ((long)MeasuredForPoint * Count);
 
     /// <summary>Number of points of the best spline so far.</summary>
     private int Count => _best!.Value.Spline.Lines.Count - 2;
@@ -153,7 +153,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private bool Try(double scale, double growth, double? soft, int below)
     {
         _profile.Fill(scale * maxError, growth, soft);
-        for (var round = 0; round < Rounds && MayGoOn; round++)
+        for (var round = 0; round < Rounds && CanContinue; round++)
         {
             if (below < int.MaxValue && NeedsMoreThan(below)) return false;
             var knots = Placed();
@@ -169,7 +169,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private SplineFit Fitted(List<double> knots)
     {
         var fit = new SplineFit(chain, knots);
-        fit.Centre(0.9 * maxError, Hopeless * maxError);
+        fit.Centre(0.9 * maxError, HopelessErrorRatio * maxError);
         _measured += fit.Measured;
         Work += fit.Measured;
         return fit;
@@ -178,7 +178,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     /// <summary>True when the spline is within the error and the best so far.</summary>
     private bool IsTaken(SplineFit fit, List<double> knots)
     {
-        if (fit.RunsBack || fit.LargestError > SampleShare * maxError || fit.Spline.SpacingRatio(chain.Closed) > MostRatio) return false;
+        if (fit.HasReversal || fit.LargestError > SampleShare * maxError || fit.Spline.SpacingRatio(chain.Closed) > MaxRatio) return false;
         var bound = SplineBound.Measure(fit.Spline, chain, knots, maxError);
         if (bound <= maxError) _best = new SplineCandidate(fit.Spline, bound, knots);
         return bound <= maxError;
@@ -205,14 +205,14 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
             if (over > 1.0)
             {
                 any = true;
-                Boost(knots, i, Math.Min(MostBoost, Math.Pow(over, 0.5) * 1.01));
+                Boost(knots, i, Math.Min(MaxBoost, Math.Pow(over, 0.5) * 1.01));
             }
 
             var next = i + 1 < fit.Spline.Count ? i + 1 : chain.Closed ? 0 : i;
             var ratio = fit.Spline.Chord(i) / fit.Spline.Chord(next);
-            if (ratio is <= MostRatio and >= 1.0 / MostRatio) continue;
+            if (ratio is <= MaxRatio and >= 1.0 / MaxRatio) continue;
             any = true;
-            Boost(knots, ratio > 1.0 ? i : next, MostBoost);
+            Boost(knots, ratio > 1.0 ? i : next, MaxBoost);
         }
 
         if (any) return true;

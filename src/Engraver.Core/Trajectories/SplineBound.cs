@@ -15,10 +15,10 @@ internal static class SplineBound
     /// <summary>Parts are halved until they add at most this fraction to the lower bound of the distance.</summary>
     private const double Slack = 0.004;
 
-    private const int MostHalvings = 9;
+    private const int MaxHalvings = 9;
 
     /// <summary>Distances below this are not refined further, millimetres.</summary>
-    private const double Least = 1e-9;
+    private const double MinDistance = 1e-9;
 
     /// <summary>Rounding of all steps as a fraction of the coordinates, generous.</summary>
     private const double Rounding = 64.0 * 2.220446049250313e-16;
@@ -39,7 +39,7 @@ internal static class SplineBound
     public static double Measure(int count, Func<int, Cubic> cubics, SmoothChain chain, IReadOnlyList<double> knots, double within)
     {
         var search = new Pairing(chain, within) { Sure = SampledDistance.Of(count, cubics, chain, knots, steps: 8) };
-        for (var i = 0; i < count && search.Bound <= within; i++) search.Look(cubics(i), knots[i], knots[i + 1]);
+        for (var i = 0; i < count && search.Bound <= within; i++) search.Examine(cubics(i), knots[i], knots[i + 1]);
         var far = Enumerable.Range(0, count).Max(i => Math.Abs(cubics(i).A.X) + Math.Abs(cubics(i).A.Y));
         return search.Bound + (Rounding * far) + (SkippedLength * chain.Length);
     }
@@ -52,7 +52,7 @@ internal static class SplineBound
         public double Bound { get; private set; }
 
         /// <summary>Pairs a cubic with the chain between two lengths: cut wherever a piece of the chain ends.</summary>
-        public void Look(Cubic cubic, double from, double to)
+        public void Examine(Cubic cubic, double from, double to)
         {
             var rest = cubic;
             while (true)
@@ -62,12 +62,12 @@ internal static class SplineBound
                 var left = to - from;
                 if (start + left <= piece.End + (1e-12 * chain.Length) || !IsMore(piece))
                 {
-                    Pair(rest, piece, piece.FractionAt(start), piece.FractionAt(start + left), MostHalvings);
+                    Pair(rest, piece, piece.FractionAt(start), piece.FractionAt(start + left), MaxHalvings);
                     return;
                 }
 
-                var (first, second) = rest.Split(Abeam(rest, piece));
-                Pair(first, piece, piece.FractionAt(start), 1.0, MostHalvings);
+                var (first, second) = rest.Split(PerpendicularFoot(rest, piece));
+                Pair(first, piece, piece.FractionAt(start), 1.0, MaxHalvings);
                 from += Math.Max(piece.End - start, 0.0);
                 if (chain.Wrapped(from) is var next && chain.PieceAt(next) == chain.PieceAt(start)) from += 1e-13 * chain.Length;
                 rest = second;
@@ -77,7 +77,7 @@ internal static class SplineBound
         private bool IsMore(ChainPiece piece) => chain.Closed || piece.End < chain.Length;
 
         /// <summary>The parameter at which the cubic passes the end of a piece.</summary>
-        private static double Abeam(in Cubic cubic, ChainPiece piece)
+        private static double PerpendicularFoot(in Cubic cubic, ChainPiece piece)
         {
             var end = piece.At(1.0);
             var (low, high) = (0.0, 1.0);
@@ -95,7 +95,7 @@ internal static class SplineBound
         {
             var bound = piece.Part(from, to) is { } part ? Apart(cubic, part) : double.PositiveInfinity;
             if (piece.IsLine) bound = Math.Min(bound, BesideLine(cubic, piece.Segment.PointAt(from), piece.Segment.PointAt(to)));
-            if (bound <= Math.Max(Math.Max(Bound, Least), Sure * (1.0 + Slack)) || (halvings == 0 && double.IsFinite(bound)))
+            if (bound <= Math.Max(Math.Max(Bound, MinDistance), Sure * (1.0 + Slack)) || (halvings == 0 && double.IsFinite(bound)))
             {
                 Bound = Math.Max(Bound, bound);
                 return;

@@ -21,7 +21,7 @@ internal sealed class SplineFit
 
     private readonly SmoothChain _chain;
     private readonly List<double> _knots;
-    private readonly ChainPlace[] _places;
+    private readonly ChainPoint[] _places;
     private readonly double[] _shifts;
     private readonly bool[] _fixed;
     private readonly (double Least, double Most)[] _errors;
@@ -42,7 +42,7 @@ internal sealed class SplineFit
     public CatmullRomSpline Spline { get; private set; }
 
     /// <summary>True when the spline runs backwards along the chain somewhere.</summary>
-    public bool RunsBack { get; private set; }
+    public bool HasReversal { get; private set; }
 
     public double ErrorOf(int segment) => Math.Max(Math.Abs(_errors[segment].Least), Math.Abs(_errors[segment].Most));
 
@@ -76,7 +76,7 @@ internal sealed class SplineFit
     public void Measure()
     {
         Measured += _errors.Length;
-        RunsBack = false;
+        HasReversal = false;
         for (var segment = 0; segment < _errors.Length; segment++)
         {
             var (cubic, least, most) = (Spline[segment], 0.0, 0.0);
@@ -86,14 +86,14 @@ internal sealed class SplineFit
                 var at = (i + 0.5) / Samples;
                 var (distance, tangent) = _chain.Beside(cubic.At(at), from + (at * (to - from)), FootShare);
                 (least, most) = (Math.Min(least, distance), Math.Max(most, distance));
-                RunsBack |= cubic.SlopeAt(at).Dot(tangent) < 0.0;
+                HasReversal |= cubic.SlopeAt(at).Dot(tangent) < 0.0;
             }
 
             _errors[segment] = (least, most);
         }
     }
 
-    private static ChainPlace EndOf(SmoothChain chain) => chain.Pieces[^1].At(1.0) with { Point = chain.Pieces[^1].EndPoint };
+    private static ChainPoint EndOf(SmoothChain chain) => chain.Pieces[^1].At(1.0) with { Point = chain.Pieces[^1].EndPoint };
 
     private void MarkCorners()
     {

@@ -51,27 +51,3 @@ public sealed record Trajectory
     /// <summary>The same trajectory at another height.</summary>
     public Trajectory Moved(double z) => this with { Z = z, Heights = Heights is { } heights ? [.. heights.Select(height => height + (z - Z))] : null };
 }
-
-/// <summary>Options of trajectories.</summary>
-/// <param name="MaxError">Largest error, millimetres, above 0: the proven bound of a dynamic density never exceeds it.</param>
-public sealed record TrajectoryOptions(double MaxError)
-{
-    /// <summary>Null for the dynamic density; otherwise the largest length of equal steps, above 0, whose error is computed and reported, but not
-    /// limited.</summary>
-    public double? SegmentLength { get; init; }
-
-    public CornerMode Corners { get; init; }
-
-    /// <summary>The machining plane.</summary>
-    public double Z { get; init; }
-}
-
-/// <summary>Treatment of corners (sharper than 0.05 degrees).</summary>
-public enum CornerMode
-{
-    /// <summary>A trajectory ends at a corner and another starts: the corner stays sharp, the machine stops.</summary>
-    Stop,
-
-    /// <summary>One trajectory runs through the corner, with points so close to it that the rounding stays within the error.</summary>
-    Continuous,
-}

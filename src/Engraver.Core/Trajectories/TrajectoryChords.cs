@@ -6,7 +6,7 @@ namespace Engraver.Core.Trajectories;
 public static class TrajectoryChords
 {
     /// <summary>Maximum number of chords of one step.</summary>
-    private const double Most = 100_000.0;
+    private const double MaxChords = 100_000.0;
 
     /// <summary>The curve that a controller runs, sampled at points so close together that every chord is within the error of it (du^2/8 max|D''|, as in the
     /// proof of its bound).</summary>
@@ -53,7 +53,7 @@ public static class TrajectoryChords
         return trajectory.Heights ?? throw new ArgumentException("The trajectory has no heights.", nameof(trajectory));
     }
 
-    private static double Number(double bend, double maxError) => Math.Clamp(Math.Ceiling(Math.Sqrt(bend / (8.0 * maxError))), 1.0, Most);
+    private static double Number(double bend, double maxError) => Math.Clamp(Math.Ceiling(Math.Sqrt(bend / (8.0 * maxError))), 1.0, MaxChords);
 
     private static List<RaisedSegment> Joined(List<(Point2D Place, double Z)> places)
     {
@@ -62,6 +62,3 @@ public static class TrajectoryChords
         return lines;
     }
 }
-
-/// <summary>A segment with its heights, millimetres; only a line has two different heights.</summary>
-public readonly record struct RaisedSegment(Segment Segment, double StartZ, double EndZ);

@@ -46,7 +46,3 @@ public static class TrajectoryCurve
 
     private static BezierSpan SpanOf(in Cubic cubic) => new([cubic.A.X, cubic.A.Y, 0.0, 1.0, cubic.B.X, cubic.B.Y, 0.0, 1.0, cubic.C.X, cubic.C.Y, 0.0, 1.0, cubic.D.X, cubic.D.Y, 0.0, 1.0]);
 }
-
-/// <summary>A part of the executed curve.</summary>
-/// <param name="Deviation">Deviation in its middle, millimetres.</param>
-public readonly record struct TrajectoryPart(Segment Curve, double Deviation);

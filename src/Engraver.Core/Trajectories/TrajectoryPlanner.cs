@@ -6,7 +6,7 @@ namespace Engraver.Core.Trajectories;
 public static class TrajectoryPlanner
 {
     /// <summary>Points nearer to each other than this are the same.</summary>
-    private const double LeastLength = 1e-8;
+    private const double MinLength = 1e-8;
 
     /// <summary>One trajectory for each run between two corners, or one for the contour (<see cref="TrajectoryOptions.Corners"/>).</summary>
     /// <param name="contour">Lines, arcs, circles, ellipses and splines joined end to start, millimetres; gaps are bridged by lines.</param>
@@ -20,7 +20,7 @@ public static class TrajectoryPlanner
         var (done, failed) = (new List<Trajectory>(), new List<IReadOnlyList<Segment>>());
         foreach (var (segments, isRound) in ContourRuns.Split(contour, closed, options.Corners, options.MaxError))
         {
-            if (segments.Sum(segment => segment.Length) < LeastLength) continue;
+            if (segments.Sum(segment => segment.Length) < MinLength) continue;
             if (One(SmoothChain.From(segments, isRound), segments, options) is { } trajectory) done.Add(trajectory);
             else failed.Add(segments);
         }
@@ -44,8 +44,3 @@ public static class TrajectoryPlanner
         return double.IsFinite(bound) ? new SplineCandidate(fit.Spline, bound, knots) : null;
     }
 }
-
-/// <summary>The result for a contour.</summary>
-/// <param name="Trajectories">Trajectories in the order of travel.</param>
-/// <param name="Unproven">Runs for which no spline could be proven to be within the error, for example at a cusp inside a curve.</param>
-public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

@@ -12,7 +12,7 @@ public static class BridgedGaps
 {
     /// <summary>The gaps as lines, millimetres, in the order of cutting: those in which the tool can be farther from the drawing than
     /// <paramref name="deviation"/>.</summary>
-    public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation) => [.. All(toolpath).Where(gap => gap.Segment.Length > 2.0 * deviation)];
+    public static IReadOnlyList<StrokeMove> LargerThan(Toolpath toolpath, double deviation) => [.. All(toolpath).Where(gap => gap.Segment.Length > 2.0 * deviation)];
 
     /// <summary>The length of the widest gap in a stroke, millimetres; 0 when no stroke has a gap.</summary>
     public static double Widest(Toolpath toolpath) => All(toolpath).Select(gap => gap.Segment.Length).DefaultIfEmpty().Max();
@@ -21,7 +21,7 @@ public static class BridgedGaps
     /// <param name="deviation">Distance of the tool from the drawing that rounding and curve error can cause, millimetres.</param>
     public static Diagnostic? Warning(Toolpath toolpath, double deviation, Func<int, SourceRef> sourceOf)
     {
-        var gaps = Beyond(toolpath, deviation);
+        var gaps = LargerThan(toolpath, deviation);
         if (gaps.Count == 0) return null;
         var widest = gaps.MaxBy(gap => gap.Segment.Length);
         var (length, place) = (widest.Segment.Length, widest.Segment.Start);

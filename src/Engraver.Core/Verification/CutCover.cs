@@ -8,7 +8,7 @@ namespace Engraver.Core.Verification;
 internal sealed class CutCover
 {
     private const int StepsOfPiece = 8;
-    private const int MostHalvings = 40;
+    private const int MaxHalvings = 40;
 
     private readonly IReadOnlyList<StrokeMove> _moves;
     private readonly SegmentIndex _index;
@@ -45,7 +45,7 @@ internal sealed class CutCover
         {
             var (from, to) = ((double)step / StepsOfPiece, (step + 1.0) / StepsOfPiece);
             var after = MoveBeside(PlaceAt(piece, to), within);
-            var length = Uncovered(piece, from, before, to, after, within, MostHalvings);
+            var length = Uncovered(piece, from, before, to, after, within, MaxHalvings);
             if (length > 0.0 && sum == 0.0) first = PlaceAt(piece, before < 0 ? from : to);
             sum += length;
             before = after;

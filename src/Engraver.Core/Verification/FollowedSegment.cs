@@ -56,7 +56,7 @@ internal sealed class FollowedSegment(Segment[] drawing, double reach, CoveredPa
     {
         ref readonly var segment = ref drawing[Drawn];
         var isFirst = double.IsInfinity(_distance);
-        var (foot, distance) = FootOf.Place(segment, chord.End, isFirst ? double.NaN : _foot);
+        var (foot, distance) = PerpendicularFoot.Place(segment, chord.End, isFirst ? double.NaN : _foot);
         var sense = isFirst ? 0 : Math.Sign(foot - _foot);
         if (distance - length > reach)
         {

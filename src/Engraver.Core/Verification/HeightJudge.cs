@@ -20,7 +20,7 @@ public sealed class HeightJudge : ITraceJudge
     private readonly CoveredParts[] _covered;
     private Vector3D _asked;
     private bool _isVertical;
-    private bool _hasBeenUp;
+    private bool _wasRaised;
     private Point2D? _found;
     private TraceSample? _last;
     private (int Piece, Vector3D Place) _followed = (-1, default);
@@ -47,7 +47,7 @@ public sealed class HeightJudge : ITraceJudge
     {
         if (sample.Cutting && !IsFirstRaise(sample)) Judge(sample);
         else _followed = (-1, default);
-        _hasBeenUp |= !sample.Cutting;
+        _wasRaised |= !sample.Cutting;
         _last = sample;
     }
 
@@ -55,7 +55,7 @@ public sealed class HeightJudge : ITraceJudge
     private bool IsFirstRaise(in TraceSample sample)
     {
         _found ??= sample.Place;
-        return !_hasBeenUp && sample.Place == _found;
+        return !_wasRaised && sample.Place == _found;
     }
 
     /// <summary>A span is judged by its ends and places a step apart; a machine with a tool axis is evaluated sample by sample.</summary>
@@ -226,14 +226,14 @@ internal sealed record DrawnPieces(Segment[] Plan, double[] From, double[] To)
             return (foot, (spoke - (way * foot)).Length);
         }
 
-        var (level, inPlan) = FootOf.Place(segment, new Point2D(place.X, place.Y), double.NaN);
+        var (level, inPlan) = PerpendicularFoot.Place(segment, new Point2D(place.X, place.Y), double.NaN);
         return (level, double.Hypot(inPlan, place.Z - From[piece]));
     }
 
-    public double DistanceInPlan(int piece, Vector3D place) => FootOf.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Distance;
+    public double DistanceInPlan(int piece, Vector3D place) => PerpendicularFoot.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Distance;
 
     /// <summary>Height of a piece where it is nearest in plan.</summary>
-    public double HeightOver(int piece, Vector3D place) => From[piece] == To[piece] ? From[piece] : From[piece] + ((To[piece] - From[piece]) * FootOf.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Foot);
+    public double HeightOver(int piece, Vector3D place) => From[piece] == To[piece] ? From[piece] : From[piece] + ((To[piece] - From[piece]) * PerpendicularFoot.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Foot);
 
     public Vector3D PlaceAt(int piece, double fraction) => Plan[piece].PointAt(fraction) is var plan ? new Vector3D(plan.X, plan.Y, From[piece] + ((To[piece] - From[piece]) * fraction)) : default;
 }

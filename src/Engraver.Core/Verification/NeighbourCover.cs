@@ -57,7 +57,7 @@ internal sealed class NeighbourCover
         var round = (_reach - distance) / Math.Max(segment.Length, double.Epsilon); // all points this near to the place are near the part
         var covered = new CoveredParts();
         covered.Add(fraction - round, fraction + round);
-        CutNearSegment.CoverAny(segment, SegmentPart.Of(_drawing[other], first, last), _reach, covered);
+        SegmentCutCover.CoverAny(segment, SegmentPart.Of(_drawing[other], first, last), _reach, covered);
         foreach (var (from, to) in covered.Parts())
         {
             if (from <= fraction && to >= fraction) return (from, to);
@@ -73,7 +73,7 @@ internal sealed class NeighbourCover
         if (other == _drawn || parts.Count == 0) return (double.PositiveInfinity, -1);
         ref readonly var segment = ref _drawing[other];
         if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(segment.Arc.Centre.DistanceTo(place) - segment.Arc.Radius) > _reach) return (double.PositiveInfinity, -1); // excludes nearly all crowded rings
-        var (foot, distance) = FootOf.Place(segment, place, double.NaN);
+        var (foot, distance) = PerpendicularFoot.Place(segment, place, double.NaN);
         var after = FirstEndingAt(parts, foot);
         if (after < parts.Count && parts[after].From <= foot) return (distance, after);
         var nearest = (Distance: double.PositiveInfinity, Part: -1);
@@ -93,7 +93,7 @@ internal sealed class NeighbourCover
         var parts = _cut[other];
         for (var part = FirstEndingAt(parts, from); part < parts.Count && parts[part].From <= to; part++)
         {
-            if (SegmentsApart.MayComeNear(path, SegmentPart.Of(_drawing[other], Math.Max(from, parts[part].From), Math.Min(to, parts[part].To)), _reach)) return true;
+            if (SegmentSeparation.CanBeNear(path, SegmentPart.Of(_drawing[other], Math.Max(from, parts[part].From), Math.Min(to, parts[part].To)), _reach)) return true;
         }
 
         return false;

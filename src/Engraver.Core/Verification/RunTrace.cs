@@ -9,7 +9,7 @@ namespace Engraver.Core.Verification;
 /// <param name="Places">Positions in order of time.</param>
 public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places)
 {
-    private const double LeastSecondsOfSpeed = 0.0099;
+    private const double MinSecondsOfSpeed = 0.0099;
 
     /// <summary>The columns of the first version, which had neither the following error nor the drawing.</summary>
     private const string FirstHeader = "seconds,x,y,tool,deviation";
@@ -28,7 +28,7 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     public string Drawing { get; init; } = "";
 
     /// <summary>True when the following error of at least one place is known.</summary>
-    public bool KnowsFollowing => Places.Any(place => place.FollowingMm is not null);
+    public bool HasFollowing => Places.Any(place => place.FollowingMm is not null);
 
     /// <summary>True when it can be a run of this drawing; also true for a trace without a fingerprint.</summary>
     public bool CanBeOf(string fingerprint) => Drawing.Length == 0 || Drawing == fingerprint;
@@ -73,7 +73,7 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     public double SpeedTo(int place)
     {
         var (way, first) = (0.0, place);
-        while (first > 0 && Places[place].Seconds - Places[first].Seconds < LeastSecondsOfSpeed)
+        while (first > 0 && Places[place].Seconds - Places[first].Seconds < MinSecondsOfSpeed)
         {
             way += Places[first].Place.DistanceTo(Places[first - 1].Place);
             first--;
@@ -97,11 +97,3 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
         return new RunTracePlace(numbers[0], new Point2D(numbers[1], numbers[2]), numbers[3] == 1.0, numbers[4], isFollowingKnown ? numbers[FollowingColumn] : null);
     }
 }
-
-/// <summary>One place of a run.</summary>
-/// <param name="Seconds">Controller time.</param>
-/// <param name="Place">Position in millimetres of the drawing.</param>
-/// <param name="ToolOn">True when the tool output was on.</param>
-/// <param name="DeviationMm">Distance from the drawing while the tool was on; 0 while it was off.</param>
-/// <param name="FollowingMm">Distance of the motors from their commanded positions, millimetres; null when not recorded.</param>
-public readonly record struct RunTracePlace(double Seconds, Point2D Place, bool ToolOn, double DeviationMm, double? FollowingMm = null);

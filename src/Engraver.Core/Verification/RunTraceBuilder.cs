@@ -10,12 +10,12 @@ namespace Engraver.Core.Verification;
 public sealed class RunTraceBuilder
 {
     /// <summary>Default limit of places, about 2 MB in the file.</summary>
-    public const int MostPlaces = 40_000;
+    public const int MaxPlaces = 40_000;
 
     /// <summary>Time between the places that represent a span of constant speed, seconds.</summary>
     private const double SpanStepSeconds = 0.01;
 
-    private const int MostStepsOfSpan = 500;
+    private const int MaxStepsOfSpan = 500;
 
     private readonly SegmentIndex _index;
     private readonly string _drawing;
@@ -27,7 +27,7 @@ public sealed class RunTraceBuilder
 
     /// <param name="drawing">The drawing to cut, millimetres.</param>
     /// <param name="most">Maximum number of stored places, at least 4.</param>
-    public RunTraceBuilder(IReadOnlyList<Segment> drawing, int most = MostPlaces)
+    public RunTraceBuilder(IReadOnlyList<Segment> drawing, int most = MaxPlaces)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(most, 4);
         _drawing = DrawnFingerprint.Of(drawing);
@@ -39,18 +39,18 @@ public sealed class RunTraceBuilder
     public void Add(in TraceSample sample)
     {
         var deviation = 0.0;
-        if (sample.Cutting && _index.NearEnoughTo(sample.Place, Overlooked(sample), out var distance) >= 0) deviation = distance;
+        if (sample.Cutting && _index.NearEnoughTo(sample.Place, MergeTolerance(sample), out var distance) >= 0) deviation = distance;
         Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm));
     }
 
     /// <summary>A place with a deviation up to this value is not stored, whatever its exact value: of the places that are merged, another one deviates
     /// more.</summary>
-    private double Overlooked(in TraceSample sample) => _waiting > 0 && _worst.ToolOn == sample.Cutting ? Math.BitDecrement(_worst.DeviationMm) : -1.0;
+    private double MergeTolerance(in TraceSample sample) => _waiting > 0 && _worst.ToolOn == sample.Cutting ? Math.BitDecrement(_worst.DeviationMm) : -1.0;
 
     /// <summary>Adds a span that the machine moved along.</summary>
     public void Add(in TraceSpan span)
     {
-        var steps = (int)Math.Clamp(Math.Ceiling((span.ToSeconds - span.FromSeconds) / SpanStepSeconds), 1.0, MostStepsOfSpan);
+        var steps = (int)Math.Clamp(Math.Ceiling((span.ToSeconds - span.FromSeconds) / SpanStepSeconds), 1.0, MaxStepsOfSpan);
         for (var i = 0; i <= steps; i++) Add(span.At((double)i / steps));
     }
 
@@ -81,30 +81,4 @@ public sealed class RunTraceBuilder
     private static RunTracePlace Worse(in RunTracePlace one, in RunTracePlace other) => (one.DeviationMm > other.DeviationMm ? one : other) with { FollowingMm = Larger(one.FollowingMm, other.FollowingMm) };
 
     private static double? Larger(double? one, double? other) => one is { } known && other is { } also ? Math.Max(known, also) : one ?? other;
-}
-
-/// <summary>A short text that identifies the curves of a drawing, independent of the position and speed of the cut. Curves that are a millionth of a millimetre
-/// apart are the same.</summary>
-public static class DrawnFingerprint
-{
-    private const double PerMillimetre = 1e6;
-
-    /// <param name="drawing">Segments in millimetres, in the order of the drawing.</param>
-    /// <returns>16 hexadecimal digits.</returns>
-    public static string Of(IReadOnlyList<Segment> drawing)
-    {
-        ArgumentNullException.ThrowIfNull(drawing);
-        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        Span<byte> bytes = stackalloc byte[7 * sizeof(long)];
-        foreach (var segment in drawing)
-        {
-            var middle = segment.PointAt(0.5);
-            double[] numbers = [segment.Start.X, segment.Start.Y, middle.X, middle.Y, segment.End.X, segment.End.Y];
-            for (var i = 0; i < numbers.Length; i++) BinaryPrimitives.WriteInt64LittleEndian(bytes[(i * sizeof(long))..], (long)Math.Round(numbers[i] * PerMillimetre));
-            BinaryPrimitives.WriteInt64LittleEndian(bytes[(numbers.Length * sizeof(long))..], (long)segment.Kind);
-            hash.AppendData(bytes);
-        }
-
-        return Convert.ToHexStringLower(hash.GetHashAndReset().AsSpan(0, 8));
-    }
 }

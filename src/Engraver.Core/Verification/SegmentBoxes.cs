@@ -11,15 +11,15 @@ namespace Engraver.Core.Verification;
 internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double From, double To)[] Parts)
 {
     private const double PiecesPerSegment = 24.0;
-    private const double MostPieces = 200_000.0;
+    private const double MaxPieces = 200_000.0;
     private const double FewPieces = 4096.0;
-    private const int MostPiecesOfOne = 4096;
+    private const int MaxPiecesOfOne = 4096;
 
     /// <summary>Largest width of a box, as a fraction of the distance between neighbours if all were spread evenly over the drawing. Most of a drawing is
     /// empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
-    public static SegmentBoxes From(IReadOnlyList<Segment> segments) => From(segments, FewPieces + Math.Min(MostPieces, PiecesPerSegment * segments.Count));
+    public static SegmentBoxes From(IReadOnlyList<Segment> segments) => From(segments, FewPieces + Math.Min(MaxPieces, PiecesPerSegment * segments.Count));
 
     /// <param name="segments">See <see cref="SegmentIndex"/>.</param>
     /// <param name="budget">Approximate number of boxes; more when the segments need more.</param>
@@ -53,7 +53,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
     {
         var least = segment.Kind is SegmentKind.Arc or SegmentKind.Circle ? Math.Ceiling(Math.Abs(segment.Arc.Sweep.Degrees) / 90.0) : 1.0;
         var wanted = Math.Max(Math.Sqrt(sag / width), length > 0.0 ? segment.Length / length : 1.0);
-        return (int)Math.Max(least, Math.Min(MostPiecesOfOne, Math.Ceiling(wanted)));
+        return (int)Math.Max(least, Math.Min(MaxPiecesOfOne, Math.Ceiling(wanted)));
     }
 
     /// <summary>Width of the box round the segment (of a curve, round its widest span), or for a circle, the equivalent width that shrinks in the same

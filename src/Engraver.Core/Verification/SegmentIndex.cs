@@ -79,13 +79,13 @@ internal sealed class SegmentIndex
     private bool IsNearLast(Point2D place, double enough, out double distance)
     {
         _measured++;
-        (_foot, distance) = FootOf.Place(_segments[_last], place, _foot);
+        (_foot, distance) = PerpendicularFoot.Place(_segments[_last], place, _foot);
         return distance <= enough;
     }
 
     /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when a segment is or can be within reach.</summary>
     public bool ComesNear(Segment path, double reach) =>
-        ComesNear(path, reach, (segment, from, to) => SegmentsApart.MayComeNear(path, SegmentPart.Of(_segments[segment], from, to), reach));
+        ComesNear(path, reach, (segment, from, to) => SegmentSeparation.CanBeNear(path, SegmentPart.Of(_segments[segment], from, to), reach));
 
     /// <summary>As above, with a condition on each part of a segment whose box is within reach.</summary>
     public bool ComesNear(in Segment path, double reach, Question isNear) => _tree.ComesNear(path, reach, piece =>

@@ -4,7 +4,7 @@ namespace Engraver.Core.Verification;
 
 /// <summary>Largest distance of a span from the drawing, the length outside the drawing, and the segments near it, without stepping along it: a part is
 /// complete when it cannot contain a larger deviation than the known one.</summary>
-/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and
+/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestDistance"/>), so that the work follows the number of joints under a span and
 /// not its length. For curves, a part is evaluated at three places when it is short and over one piece or two neighbours, where the distance is
 /// smooth.</remarks>
 internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, DrawnCoverage coverage, TraceTolerances tolerances)
@@ -46,16 +46,16 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         }
 
         var most = distance + (length / 2.0);
-        var isWorthBounding = most > Enough || most > _reach;
-        if (isWorthBounding) most = Math.Min(most, drawing[nearest].IsFreeCurve ? FarthestOfCurve(path, from, to, distance) : FarthestOf.Drawn(drawing[nearest], SegmentPart.Of(path, from, to)));
+        var isWorthBounding = most > NegligibleDeviation || most > _reach;
+        if (isWorthBounding) most = Math.Min(most, drawing[nearest].IsFreeCurve ? FarthestOfCurve(path, from, to, distance) : FarthestDistance.FromDrawn(drawing[nearest], SegmentPart.Of(path, from, to)));
         var isBeside = distance > _reach && (distance - (length / 2.0) > _reach || !index.ComesNear(SegmentPart.Of(path, from, to), _reach));
-        if (most <= Enough && (most <= _reach || isBeside))
+        if (most <= NegligibleDeviation && (most <= _reach || isBeside))
         {
             if (isBeside) _found = _found with { Extra = _found.Extra + length };
             return;
         }
 
-        if (depth == 0 || (length <= _undecided && (length <= _shortest || most <= Enough)))
+        if (depth == 0 || (length <= _undecided && (length <= _shortest || most <= NegligibleDeviation)))
         {
             if (distance > _reach) _found = _found with { Extra = _found.Extra + length };
             return;
@@ -66,7 +66,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
     }
 
     /// <summary>A part with a deviation up to this value does not change the result significantly.</summary>
-    private double Enough => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
+    private double NegligibleDeviation => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
 
     /// <summary>A place within this distance is neither outside the drawing nor the farthest so far; its nearest segment is irrelevant.</summary>
     private double Unremarkable => Math.Min(_found.Largest, _reach);

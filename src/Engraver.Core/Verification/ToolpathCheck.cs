@@ -12,7 +12,7 @@ namespace Engraver.Core.Verification;
 public static class ToolpathCheck
 {
     /// <summary>Maximum number of findings: one is sufficient to refuse the path.</summary>
-    private const int MostFindings = 20;
+    private const int MaxFindings = 20;
 
     /// <summary>Fraction by which the cut length of a curve may exceed its length, plus a multiple of the tolerance.</summary>
     private const double LongerThanCurve = 1.1;
@@ -29,7 +29,7 @@ public static class ToolpathCheck
         var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Misfit>();
         var match = DrawnMatch.From(drawn, toolpath, (in last, in move) => AddJump(last, move, tolerances, findings));
         if (match.Moves.Count > 0 || match.Rows.Count > 0) AddRest(match, toolpath, tolerances, findings);
-        return [.. findings.Take(MostFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
+        return [.. findings.Take(MaxFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
     }
 
     /// <summary>Checks the gap between two moves: the tool stays on from the first move of a stroke to the last, so the gap between two moves is cut
@@ -43,11 +43,11 @@ public static class ToolpathCheck
 
     private static void AddRest(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
-        var drawing = new DrawnRest(match.Rows, tolerances);
+        var drawing = new RepresentedRows(match.Rows, tolerances);
         foreach (var move in match.Moves)
         {
-            if (findings.Count >= MostFindings) return;
-            var (off, at, allowed) = drawing.Stray(move);
+            if (findings.Count >= MaxFindings) return;
+            var (off, at, allowed) = drawing.MaxDistance(move);
             if (off <= allowed) continue;
             if (double.IsFinite(off)) Add(findings, VerificationRules.ToolpathBeside, move.EntityIndex, new Misfit(off, at, allowed));
             else Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(move.Segment.Length, at, 0.0));
@@ -82,7 +82,7 @@ public static class ToolpathCheck
         CutCover? all = null;
         foreach (var row in match.Rows)
         {
-            if (findings.Count >= MostFindings) return;
+            if (findings.Count >= MaxFindings) return;
             if (standing.Missing(row.Segment, tolerances.For(row.Segment)).Length == 0.0) continue;
             all ??= new CutCover([.. toolpath.Strokes.SelectMany(stroke => stroke.Moves)]);
             var (length, first) = all.Missing(row.Segment, 2.0 * tolerances.For(row.Segment));

@@ -8,7 +8,7 @@ namespace Engraver.Core.Verification;
 public sealed class TraceJudge : ITraceJudge
 {
     /// <summary>Maximum number of places checked between two samples; a machine moves a few hundredths of a millimetre from one sample to the next.</summary>
-    private const int MostStepsOfChord = 64;
+    private const int MaxStepsOfChord = 64;
 
     private readonly SegmentIndex _index;
     private readonly SpanDeviation _spans;
@@ -96,7 +96,7 @@ public sealed class TraceJudge : ITraceJudge
     {
         if (nearest != _coverage.Followed)
         {
-            var (chord, steps) = (Segment.FromLine(from, to), Math.Min(MostStepsOfChord, (int)Math.Ceiling(from.DistanceTo(to) / _reach)));
+            var (chord, steps) = (Segment.FromLine(from, to), Math.Min(MaxStepsOfChord, (int)Math.Ceiling(from.DistanceTo(to) / _reach)));
             _coverage.Begin();
             for (var i = 1; i < steps; i++)
             {
@@ -107,30 +107,4 @@ public sealed class TraceJudge : ITraceJudge
 
         _coverage.AddChord(from, to, nearest);
     }
-}
-
-/// <summary>Result of the comparison of a run with its drawing, lengths in millimetres.</summary>
-/// <param name="CuttingSamples">Number of samples with the tool on; when 0, the deviation is unknown.</param>
-/// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing; 0 without cutting samples, infinite when the drawing is empty but a cut
-/// was made.</param>
-/// <param name="DeviationAt">The sample that deviates most; null without cutting samples.</param>
-/// <param name="MissingLength">Length of the drawing that was never cut.</param>
-/// <param name="MissingAt">A place in the first gap of the drawing; null when the whole drawing was cut.</param>
-/// <param name="ExtraLength">Length that was cut outside the drawing: between consecutive cutting samples of which one is farther from it than the coverage
-/// tolerance.</param>
-public sealed record TraceVerdict(
-    long CuttingSamples, double MaxDeviation, TraceSample? DeviationAt, double MissingLength, Point2D? MissingAt, double ExtraLength);
-
-/// <summary>Compares the motion of a machine with a drawing while it is reported: in plan (<see cref="TraceJudge"/>), or in three coordinates
-/// (<see cref="HeightJudge"/>).</summary>
-public interface ITraceJudge
-{
-    /// <summary>Adds a machine position; between two consecutive cutting samples the machine moved straight.</summary>
-    void Add(in TraceSample sample);
-
-    /// <summary>Adds a span that the machine moved along.</summary>
-    void Add(in TraceSpan span);
-
-    /// <summary>The result so far; after the last sample, the final result.</summary>
-    TraceVerdict Verdict();
 }

@@ -24,8 +24,8 @@ public sealed record TraceTolerances
     public double LargestStep { get; init; } = 0.05;
 
     /// <summary>In a short segment a gap shorter than its length divided by this is also ignored.</summary>
-    public int FewestSteps { get; init; } = 16;
+    public int MinSteps { get; init; } = 16;
 
     /// <summary>Number of longest ignored gaps that fit into a segment of this length.</summary>
-    public double StepsFor(double length) => Math.Max(Math.Ceiling(length / LargestStep), FewestSteps);
+    public double StepsFor(double length) => Math.Max(Math.Ceiling(length / LargestStep), MinSteps);
 }

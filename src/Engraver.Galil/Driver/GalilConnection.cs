@@ -28,12 +28,12 @@ public sealed class GalilConnection : IMachineConnection
     {
         _session = session;
         _messages = messages;
-        _terminal = MachineTerminal.On(session, messages);
+        _terminal = MachineTerminal.FromSession(session, messages);
     }
 
     public MachineIdentity Identity => _session.Identity;
 
-    public MachineCapabilities Capabilities => new(IsSingleWire: _session.Line is not null, Jog: new SpeedRange(DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed), Hold: new HoldCapability(ToolGoesOff: true), Override: JobControl.FeedRange);
+    public MachineCapabilities Capabilities => new(IsSingleWire: _session.Line is not null, Jog: new SpeedRange(DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed), Hold: new HoldCapability(SwitchesToolOff: true), Override: JobControl.FeedRange);
 
     public IMachineSetup Setup => new GalilSetup(_session);
 
@@ -50,11 +50,11 @@ public sealed class GalilConnection : IMachineConnection
         return new GalilConnection(session, messages);
     }
 
-    public ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, axes, cancellation);
+    public ValueTask<MachineReading> ReadStatusAsync(MachineAxes axes, CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, axes, cancellation);
 
-    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, _session.Identity.Letters, axes, cancellation);
+    public ValueTask<ControllerPosition> ReadPositionAsync(MachineAxes axes, CancellationToken cancellation) => PositionQueries.AskAsync(_session.Commands, _session.Identity.Letters, axes, cancellation);
 
-    public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
+    public ValueTask<bool> StoreMarkAsync(int mark, CancellationToken cancellation) => PositionQueries.MarkAsync(_session.Commands, mark, cancellation);
 
     public Task StopAsync(params IReadOnlyList<OutputSwitch> outputs) => new OperatorStop(_session, outputs, [], _session.Identity.Letters).BrakeAtOnceAsync();
 
@@ -62,7 +62,7 @@ public sealed class GalilConnection : IMachineConnection
     /// refused.</summary>
     public async Task AbortAsync(params IReadOnlyList<OutputSwitch> outputs)
     {
-        foreach (var command in (string[])["AB", .. outputs.Select(OperatorStop.Off), "MO" + _session.Identity.Letters])
+        foreach (var command in (string[])["AB", .. outputs.Select(OperatorStop.SwitchOffCommand), "MO" + _session.Identity.Letters])
             await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
     }
 
@@ -75,7 +75,7 @@ public sealed class GalilConnection : IMachineConnection
     public async Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation) =>
         (await _session.Commands.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{(on ? "SB" : "CB")} {output}"), cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
 
-    public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _terminal.AnswerAsync(line, cancellation);
+    public Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation) => _terminal.ExecuteLineAsync(line, cancellation);
 
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _messages.TryDequeue(out message);
 
@@ -84,7 +84,7 @@ public sealed class GalilConnection : IMachineConnection
     public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.GoToAsync(program, goal, _session, options, progress, stop, withHeight);
 
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, JobModes.Of(strategy), journal, cancellation);
+    public Task<ResumePosition> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, JobModes.Of(strategy), journal, cancellation);
 
     public Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.JogAsync(program, control, _session, options, progress, stop);

@@ -38,7 +38,7 @@ public sealed class GalilDriver : IMachineDriver
     public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style) =>
         MotionProgramGenerator.Generate(toolpath, profile, maxErrorMm, sourceOf, style);
 
-    public LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => (LineOf(address), JobModes.Of(strategy)) is ({ } line, JobMode.Stream)
+    public LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => (LineOf(address), JobModes.Of(strategy)) is ({ } line, JobMode.Stream)
         ? LinkFeedFitting.Create(program, line, sourceOf)
         : new LinkFeedFit(program, []);
 

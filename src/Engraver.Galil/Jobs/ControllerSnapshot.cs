@@ -10,7 +10,7 @@ namespace Engraver.Galil.Jobs;
 
 /// <summary>The state in which a job finds the controller and has to leave it: as found now, or as found by an earlier run that failed and left the
 /// program of a job in the memory.</summary>
-internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemory memory, MachineProfile profile, JobOptions options, JobLog log)
+internal sealed class ControllerSnapshot(ControllerSession session, ControllerProgramMemory memory, MachineProfile profile, JobOptions options, JobLog log)
 {
     private readonly List<string> _lost = [];
     private CrashRecovery? _earlier;
@@ -20,9 +20,9 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
     /// <exception cref="IOException">The journal or the copy of the program cannot be written.</exception>
     public async Task<Rejected?> BorrowAsync(string resident, CancellationToken stop)
     {
-        var look = await memory.LookAsync(stop).ConfigureAwait(false);
+        var look = await memory.ReadProgramAsync(stop).ConfigureAwait(false);
         if (look is not Accepted { Data: var program }) return look as Rejected;
-        var serial = (await session.Commands.ReadAsync("_BN", stop).ConfigureAwait(false)).OrNothing;
+        var serial = (await session.Commands.ReadAsync("_BN", stop).ConfigureAwait(false)).ValuesOrEmpty;
         var now = new JournalFound(options.Address, session.Identity.Model, serial, session.Found);
         if (ResidentServer.IsOwn(program, profile)) Inherit(now);
         log.Found(now with { State = session.Found });
@@ -39,7 +39,7 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
         {
             await watch.EndAsync().ConfigureAwait(false);
             var refused = await memory.GiveBackAsync(CancellationToken.None).ConfigureAwait(false);
-            await session.LeaveToOthersAsync(watch.Feed.SetByOthers).ConfigureAwait(false);
+            await session.AdoptPresentAsync(watch.Feed.SetByOthers).ConfigureAwait(false);
             var settings = await session.RestoreAsync(CancellationToken.None).ConfigureAwait(false);
             if (refused is not null) return [refused.Explain(), .. settings];
             if (settings.Count == 0) CloseEarlierRun();
@@ -47,7 +47,7 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
         }
         catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
         {
-            return [Wording.Get("Job.EarlierJournalNotClosed", SystemReason.Of(unwritten))];
+            return [Wording.Get("Job.EarlierJournalNotClosed", SystemErrorText.FromException(unwritten))];
         }
         catch (ControllerException failure)
         {
@@ -67,7 +67,7 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
     private void Inherit(JournalFound now)
     {
         _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, options.ResumedJournal, now) : null;
-        if (_earlier is not null) session.Inherit(_earlier.Found.State);
+        if (_earlier is not null) session.AdoptFoundState(_earlier.Found.State);
         else _lost.Add(Wording.Get("ControllerSnapshot.PreviousStateUnknown"));
     }
 }

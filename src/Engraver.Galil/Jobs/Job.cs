@@ -24,7 +24,7 @@ internal sealed class Job
     private readonly StopOrder _stop;
     private readonly JobLedger _ledger;
     private readonly JobMachine _machine;
-    private readonly ProgramMemory _memory;
+    private readonly ControllerProgramMemory _memory;
     private readonly ControllerSnapshot _found;
     private readonly ControllerPreparation _preparation;
     private readonly OperatorStop _stopper;
@@ -46,10 +46,10 @@ internal sealed class Job
         _program = rest.Program;
         _ledger = new JobLedger(program, rest, options.From, options.Polled);
         _ledger.Begin();
-        var mark = _isHandMove ? 0 : MachineMemory.NewMark(session.Time.GetUtcNow());
-        _log = new JobLog(_ledger, journal, progress, session.Time, options.Told);
+        var mark = _isHandMove ? 0 : StoredMachineState.NewMark(session.Time.GetUtcNow());
+        _log = new JobLog(_ledger, journal, progress, session.Time, options.Warned);
         _machine = new JobMachine(session, program, options, _ledger, _log, stop) { Mark = mark };
-        _memory = new ProgramMemory(session);
+        _memory = new ControllerProgramMemory(session);
         _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
         _preparation = new ControllerPreparation(session, program.Profile, options, hand?.Resident ?? ResidentServer.Program(options.Mode(), program.Profile), _isHandMove);
         _stopper = new OperatorStop(session, program.Profile.OffAtStop, s_ownThreads, program.Profile.Axes.Letters);
@@ -73,7 +73,7 @@ internal sealed class Job
         (end, var standstill) = await BringToRestAsync(end).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
         var result = Result(end, standstill, notRestored);
-        _options.Control?.Over(result);
+        _options.Control?.Complete(result);
         return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
@@ -99,7 +99,7 @@ internal sealed class Job
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobEnd.Broken(Wording.Get("Job.JournalNotWritable", SystemReason.Of(failure)));
+            return JobEnd.Broken(Wording.Get("Job.JournalNotWritable", SystemErrorText.FromException(failure)));
         }
     }
 
@@ -110,7 +110,7 @@ internal sealed class Job
     {
         if (await _session.BusyReasonAsync(_stop.Work).ConfigureAwait(false) is { } busy) throw JobEnd.Broken(busy).ToException();
         _touched = true;
-        _stop.BrakeBy(_stopper.Begin);
+        _stop.BrakeBy(_stopper.Start);
         try
         {
             using var whole = _machine.Enter(_strategy.Whole);
@@ -136,7 +136,7 @@ internal sealed class Job
     private async ValueTask CutAsync()
     {
         // The job would leave the controller's 32 bits.
-        if (!_machine.Frame.ToController.Holds(MotionExtents.Of(_program))) throw JobEnd.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.Origin.X, _machine.Frame.Origin.Y)).ToException();
+        if (!_machine.Frame.ToController.IsInRange(MotionExtents.Of(_program))) throw JobEnd.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.Origin.X, _machine.Frame.Origin.Y)).ToException();
         var isCut = await IsCutAsync(CutFromStartAsync).ConfigureAwait(false);
         while (!isCut) isCut = await IsCutAsync(CutRestAsync).ConfigureAwait(false); // it may be given up again, also on the way back to the path
     }
@@ -207,7 +207,7 @@ internal sealed class Job
     /// <summary>An output is the tool of a machine with a Z axis.</summary>
     private bool HasIdleHeight => _whole.Profile is { Height: null, Axes.Z: not null };
 
-    private RemainingProgram RestFrom(JobPlace place, double leadIn) => RemainingProgram.From(_whole, place, leadIn, new AngleQuantum(_whole.Profile.AngleQuantumDegrees).Keep);
+    private RemainingProgram RestFrom(JobPosition place, double leadIn) => RemainingProgram.From(_whole, place, leadIn, new AngleQuantum(_whole.Profile.AngleQuantumDegrees).Quantize);
 
     private IJobStrategy StrategyOf(JobMode mode) => mode switch
     {
@@ -230,7 +230,7 @@ internal sealed class Job
         }
         catch (IOException failure)
         {
-            return result with { Sentence = Wording.Get("Job.JournalEndNotWritten", result.Sentence, SystemReason.Of(failure)) };
+            return result with { Message = Wording.Get("Job.JournalEndNotWritten", result.Message, SystemErrorText.FromException(failure)) };
         }
     }
 
@@ -238,7 +238,7 @@ internal sealed class Job
     {
         Outcome = end.Outcome,
         Loss = end.Loss,
-        Sentence = end.Sentence,
+        Message = end.Sentence,
         SegmentsSent = _ledger.Sent,
         SegmentsExecuted = _ledger.Executed,
         SegmentsUncut = _ledger.Uncut,

@@ -74,7 +74,7 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     {
         var reading = await session.Commands.ReadAsync(operand, order.ToSend()).ConfigureAwait(false);
         if (reading.Refusal is not null) ledger.Rejected++;
-        return reading.OrNothing;
+        return reading.ValuesOrEmpty;
     }
 
     /// <summary>Queries one part of the machine's state, and sends the heartbeat before it if the exchange would delay it for too long.</summary>
@@ -86,7 +86,7 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
 
     /// <summary>Queries one number over the stop handle, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async ValueTask<double?> AskAtRestAsync(string operand) => (await session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).OrNothing;
+    public async ValueTask<double?> AskAtRestAsync(string operand) => (await session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).ValuesOrEmpty;
 
     /// <summary>Counts a rejected command and makes it the end of the job.</summary>
     public JobEnd Refuse(Rejected rejected, string where)

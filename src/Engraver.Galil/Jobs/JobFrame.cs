@@ -13,7 +13,7 @@ internal sealed class JobFrame
     public JobFrame(MotionProgram program, JobOptions options)
     {
         _start = program.Start;
-        Lift = options.DryRun ? DryLift.Of(program) : 0;
+        Lift = options.DryRun ? DryRunLift.Of(program) : 0;
         Given = options.Frame is { } given ? given with { Z = given.Z + Lift } : null;
     }
 

@@ -9,7 +9,7 @@ namespace Engraver.Galil.Jobs;
 /// <param name="rest">What is cut; null for all of it.</param>
 /// <param name="from">What is before it was cut by an earlier job.</param>
 /// <param name="polled">Called with every polled position that differs from the one before; null for no call.</param>
-internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = null, JobPlace from = default, Action<TracePoint>? polled = null)
+internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = null, JobPosition from = default, Action<TracePoint>? polled = null)
 {
     /// <summary>A position further from the path than this is not on it, counts.</summary>
     private const double OnPath = 2.5;
@@ -22,7 +22,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
     private readonly double[] _lengths = new double[program.Strokes.Count];
     private RemainingProgram _rest = rest ?? RemainingProgram.Whole(program);
     private double _cutOfFirst;
-    private JobPlace _cut = from;
+    private JobPosition _cut = from;
     private (int Segments, CountsPoint At)? _cutting;
     private bool _isToolMissing;
 
@@ -45,7 +45,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
 
     /// <summary>Everything before it was certainly cut.</summary>
     /// <remarks>Polls do not change it while <see cref="IsAway"/>.</remarks>
-    public JobPlace Place => _cutting is { } seen ? JobPlace.Later(_cut, PlaceOnProgram.Find(program, seen.Segments, seen.At, OnPath)) : _cut;
+    public JobPosition Place => _cutting is { } seen ? JobPosition.Max(_cut, ProgramPositionFinder.Find(program, seen.Segments, seen.At, OnPath)) : _cut;
 
     /// <summary>The job is held and the operator may move the machine: what it passes is not cut.</summary>
     public bool IsAway { get; private set; }
@@ -66,7 +66,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
             if (_uncut.Count == 0) return;
             foreach (var (stroke, segment) in _uncut) CountCut(stroke, segment);
             _uncut.Clear();
-            _cut = JobPlace.Later(_cut, new JobPlace(Executed, 0.0));
+            _cut = JobPosition.Max(_cut, new JobPosition(Executed, 0.0));
         }
     }
 
@@ -98,7 +98,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
         _executed[Stroke]++;
         if (IsToolMissing) _uncut.Add((Stroke, segment));
         else CountCut(Stroke, segment);
-        if (!IsToolMissing && !IsStopping) _cut = JobPlace.Later(_cut, new JobPlace(Executed, 0.0));
+        if (!IsToolMissing && !IsStopping) _cut = JobPosition.Max(_cut, new JobPosition(Executed, 0.0));
     }
 
     /// <summary>The machine continues with a stroke and a sequence of what this job cuts.</summary>
@@ -118,26 +118,26 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
     /// back.</param>
     public void GiveUp(int segments, CountsPoint? at)
     {
-        PlaceGivenUp = at is { } here ? PlaceOnProgram.Find(program, segments, here, OnPath) : JobPlace.Later(PlaceGivenUp, new JobPlace(segments, 0.0));
-        _cut = JobPlace.Later(Place, PlaceGivenUp);
+        PlaceGivenUp = at is { } here ? ProgramPositionFinder.Find(program, segments, here, OnPath) : JobPosition.Max(PlaceGivenUp, new JobPosition(segments, 0.0));
+        _cut = JobPosition.Max(Place, PlaceGivenUp);
         (_cutting, IsAway) = (null, true);
     }
 
     /// <summary>Where the machine was when the job gave up what was in progress; in a lead-in this is before <see cref="Place"/>.</summary>
-    public JobPlace PlaceGivenUp { get; private set; }
+    public JobPosition PlaceGivenUp { get; private set; }
 
     /// <summary>The job continues with what is left after <see cref="PlaceGivenUp"/>.</summary>
     /// <param name="left">Begins at that place or, where the segment that contains it has no rest to cut, after it.</param>
     public void Continue(RemainingProgram left)
     {
         _cutOfFirst = 0.0;
-        while (Executed < left.SegmentsBefore && program.SegmentBehind(Executed) is var (_, segment, stroke))
+        while (Executed < left.SegmentsBefore && program.SegmentAfter(Executed) is var (_, segment, stroke))
         {
             Stroke = stroke;
             Confirm(segment);
         }
 
-        (_rest, _cutOfFirst, IsAway) = (left, left.CutOfFirst, false);
+        (_rest, _cutOfFirst, IsAway) = (left, left.CutLengthOfFirst, false);
         Sent = Math.Min(Sent, left.SegmentsBefore - _first);
         Enter(0, 0);
     }
@@ -156,7 +156,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
             }
         }
 
-        _cutOfFirst = _rest.CutOfFirst;
+        _cutOfFirst = _rest.CutLengthOfFirst;
         Enter(0, 0);
     }
 

@@ -54,7 +54,7 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
         }
         catch (IOException failure) when (_isBegun)
         {
-            var reason = SystemReason.Of(failure);
+            var reason = SystemErrorText.FromException(failure);
             journal.GiveUp(reason);
             var finding = PreparationRules.JournalGivenUp.At(default, reason);
             if (told is null) ledger.Warnings.Add(finding);
@@ -99,7 +99,7 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
 
     public void End(JobMachine machine, JobResult result)
     {
-        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0)
+        journal.Write(new JournalEnd(result.Outcome, result.Message, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0)
         {
             Cut = result.Place.Segments,
             Along = Math.Round(result.Place.Along, 1),

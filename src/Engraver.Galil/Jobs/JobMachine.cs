@@ -64,10 +64,10 @@ internal sealed class JobMachine
     public Phase Phase { get; private set; } = Phase.Idle;
 
     /// <summary>The last poll; null before the first.</summary>
-    public MachineState? Known => _reader.Known;
+    public JobPoll? Known => _reader.Known;
 
     /// <summary>The last poll.</summary>
-    public MachineState State => _reader.State;
+    public JobPoll State => _reader.State;
 
     /// <summary>Present position, job frame.</summary>
     public CountsPoint Here => State.Position - Frame.Origin;
@@ -133,12 +133,12 @@ internal sealed class JobMachine
 
     /// <summary>Polls until <paramref name="reached"/>.</summary>
     /// <param name="atLeastSeconds">Shortest time that this can take; until then there are pauses between the polls.</param>
-    public ValueTask PollUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(PollAsync, reached, atLeastSeconds);
+    public ValueTask PollUntilAsync(Func<JobPoll, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(PollAsync, reached, atLeastSeconds);
 
     /// <summary>The same with readings of the path (<see cref="GlanceAsync"/>).</summary>
-    public ValueTask GlanceUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(GlanceAsync, reached, atLeastSeconds);
+    public ValueTask GlanceUntilAsync(Func<JobPoll, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(GlanceAsync, reached, atLeastSeconds);
 
-    private async ValueTask UntilAsync(Func<ValueTask> poll, Func<MachineState, bool> reached, double atLeastSeconds)
+    private async ValueTask UntilAsync(Func<ValueTask> poll, Func<JobPoll, bool> reached, double atLeastSeconds)
     {
         var (pause, start) = (new PollPause(_pollInterval, atLeastSeconds), Time.GetTimestamp());
         while (true)

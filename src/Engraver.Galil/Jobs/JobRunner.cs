@@ -38,7 +38,7 @@ public static class JobRunner
         await using var stopped = stop.UnsafeRegister(source => ((CancellationTokenSource)source!).Cancel(), either).ConfigureAwait(false);
         _ = control.Released.ContinueWith(_ => either.Cancel(), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         var result = await ByHandAsync(program, new HandOperation(null, machine => new JogMove(machine, control, options.SoftLimits)), session, options, progress, either.Token).ConfigureAwait(false);
-        return result.Outcome == JobOutcome.Stopped && !stop.IsCancellationRequested ? result with { Outcome = JobOutcome.Complete, Sentence = Wording.Get("JogMove.AtRest") } : result;
+        return result.Outcome == JobOutcome.Stopped && !stop.IsCancellationRequested ? result with { Outcome = JobOutcome.Complete, Message = Wording.Get("JogMove.AtRest") } : result;
     }
 
     /// <summary>Keeps the controller ready for jogs (<see cref="JogStandbyMove"/>).</summary>
@@ -61,7 +61,7 @@ public static class JobRunner
         var hand = new HandOperation(ResidentProgram.ForHoming(program.Profile), machine => homing = new HomingMove(machine));
         var free = options with { SoftLimits = [.. program.Profile.Axes.All.Select(axis => SoftLimit.None(axis.Letter))] };
         var result = await ByHandAsync(program, hand, session, free, progress, stop).ConfigureAwait(false);
-        return result.Outcome == JobOutcome.Complete ? new HomingResult(result with { Sentence = Wording.Get("HomingMove.Homed") }, homing!.Shift) : new HomingResult(result, null);
+        return result.Outcome == JobOutcome.Complete ? new HomingResult(result with { Message = Wording.Get("HomingMove.Homed") }, homing!.Shift) : new HomingResult(result, null);
     }
 
     /// <summary>Switches the profile's tool output on for its settle time and off again, under the watchdog: when this computer fails meanwhile the
@@ -95,7 +95,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalNotWritable", SystemReason.Of(failure)));
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalNotWritable", SystemErrorText.FromException(failure)));
         }
 
         // Replies from memory are immediate: without its own thread the whole job would run before this method returns.

@@ -72,8 +72,8 @@ internal sealed class JobStandstill(ControllerSession session, JobMachine machin
     private async ValueTask<string> WhyStepsMayBeLostAsync(JobEnd end)
     {
         if (!end.IsEarly || end.Doubt.Length > 0 || machine.Frame.StartPosition is not { } start) return "";
-        var place = await PlaceQuestions.AskAsync(session, machine.Profile.Axes).ConfigureAwait(false);
-        return (MachineMemory.Empty with { Rest = start }).WhyStepsMayBeLost(place, place.StoppedHard);
+        var place = await PositionQueries.AskAsync(session, machine.Profile.Axes).ConfigureAwait(false);
+        return (StoredMachineState.Empty with { RestPosition = start }).StepLossReason(place, place.StoppedWithoutRamp);
     }
 
     private static JobEnd WithDoubt(JobEnd end, string why) => why.Length == 0 ? end : end with { Sentence = $"{end.Sentence} {Wording.Get("Job.PositionInDoubt", why)}", Doubt = why };

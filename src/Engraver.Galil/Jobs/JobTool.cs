@@ -8,7 +8,7 @@ using Engraver.Galil.Programs;
 namespace Engraver.Galil.Jobs;
 
 /// <summary>The tool of a job: switched by an output, with a settle time by the controller's clock, or moved by the Z axis. A dry run never switches it on;
-/// a tool that an axis moves is then raised (<see cref="DryLift"/>).</summary>
+/// a tool that an axis moves is then raised (<see cref="DryRunLift"/>).</summary>
 internal sealed class JobTool(JobMachine machine, bool dryRun)
 {
     /// <summary>Samples per second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so that a settle time is never too
@@ -24,7 +24,7 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
 
     /// <summary>State of the output that this poll should show: as this job switched it, or as the program in the controller should have switched it. In a
     /// dry run and while the job is held always off. Null where it is not known, or no output is the tool.</summary>
-    public bool? Wanted(MachineState state) =>
+    public bool? Wanted(JobPoll state) =>
         machine.Profile.Height is not null ? null : dryRun || _isHeldOff ? false : machine.Phase.Program is null ? _isOn : ChunkProgress.IsToolWanted(state);
 
     /// <summary>Brings the tool to the work.</summary>
@@ -46,11 +46,11 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
 
     /// <summary>Whether the tool was at work at the last poll: its output on, whichever host or program switched it, or its height below the retract
     /// height once the job had raised it.</summary>
-    public bool IsSeenOn(MachineState? known) =>
+    public bool IsSeenOn(JobPoll? known) =>
         !dryRun && known is { } state && (machine.Profile.Height is null ? IsOutputOn(state) : _wasUp && machine.Profile.IsLower(state.Position.Z, machine.Frame.Origin.Z + machine.Profile.RetractCounts));
 
     /// <summary>The same of an output, in a dry run too; never for a tool that an axis drives.</summary>
-    public bool IsOutputOn(MachineState state) => machine.Profile.Height is null && machine.Profile.Tool.IsOn(state.Outputs);
+    public bool IsOutputOn(JobPoll state) => machine.Profile.Height is null && machine.Profile.Tool.IsOn(state.Outputs);
 
     /// <summary>The job has a spindle that turns.</summary>
     public bool HasSpindle => !dryRun && machine.Profile.Spindle is not null;

@@ -13,16 +13,16 @@ internal sealed record Phase
 
     /// <summary>Compares a polled state with the planned motion: why the job ends, or null where the state is as planned. Null where nothing is
     /// planned.</summary>
-    public Func<MachineState, JobEnd?>? Expected { get; init; }
+    public Func<JobPoll, JobEnd?>? Expected { get; init; }
 
     /// <summary>The planned speeds of the sequence that a polled state may be in; null where none is planned.</summary>
-    public Func<MachineState, PlannedSpeed?>? Speed { get; init; }
+    public Func<JobPoll, PlannedSpeed?>? Speed { get; init; }
 
     /// <summary>Segments of the whole program that are done at a polled state; null: those that the ledger counts.</summary>
-    public Func<MachineState, int>? SegmentsDone { get; init; }
+    public Func<JobPoll, int>? SegmentsDone { get; init; }
 
     /// <summary>Whether a path at standstill will move when it is released; it will not where the segment buffer has run dry.</summary>
-    public Func<MachineState, bool> WillMove { get; init; } = _ => true;
+    public Func<JobPoll, bool> WillMove { get; init; } = _ => true;
 
     /// <summary>The factor, at most 1, by which the feeder slows the path while few segments are buffered.</summary>
     public Func<double> Throttle { get; init; } = () => 1.0;
@@ -31,7 +31,7 @@ internal sealed record Phase
     public ChunkProgress? Program { get; init; }
 
     /// <summary>Where the program is, added to the report of a motion that it found ended early.</summary>
-    public Func<MachineState, string> Place { get; init; } = _ => "";
+    public Func<JobPoll, string> Place { get; init; } = _ => "";
 
     /// <summary>The program waits at its gate for its spindle and not only for a hold: a resume leaves the gate closed.</summary>
     public bool KeepsGate { get; init; }
@@ -43,7 +43,7 @@ internal sealed record Phase
     public Func<ValueTask>? AwaitIdle { get; init; }
 
     /// <summary>Where a hold that is requested at this state takes effect.</summary>
-    public HoldPoint HoldPointAt(in MachineState state) => Program is not null ? HoldPoint.InProgram : state.SequenceRunning ? HoldPoint.OnPath : HoldPoint.AtGate;
+    public HoldPoint HoldPointAt(in JobPoll state) => Program is not null ? HoldPoint.InProgram : state.SequenceRunning ? HoldPoint.OnPath : HoldPoint.AtGate;
 }
 
 /// <summary>Where a hold takes effect.</summary>

@@ -22,10 +22,10 @@ internal sealed class StateReader(ControllerSession session, MachineAxes axes, s
     private int _glances;
 
     /// <summary>The last reading; null before the first.</summary>
-    public MachineState? Known { get; private set; }
+    public JobPoll? Known { get; private set; }
 
     /// <summary>The last reading.</summary>
-    public MachineState State => Known ?? throw new InvalidOperationException("The machine was not polled yet.");
+    public JobPoll State => Known ?? throw new InvalidOperationException("The machine was not polled yet.");
 
     /// <summary>Time since the last reading.</summary>
     public TimeSpan SincePoll => _times.SincePoll;

@@ -12,7 +12,7 @@ public static class DmcAxes
 
     /// <summary>True when the first fields of a list from axis A are the job's axes in their order, as LI needs (galil-dmc.md B.1: <c>LI a,b,c,d</c>). VP uses
     /// the order of VM.</summary>
-    public static bool AreFirst(MachineAxes axes) => All.StartsWith(axes.PlaneLetters, StringComparison.Ordinal);
+    public static bool AreLeading(MachineAxes axes) => All.StartsWith(axes.PlaneLetters, StringComparison.Ordinal);
 
     /// <summary>Values of the job's axes in the fields of a list from axis A (<c>1,2,,3</c>), as LI needs them independent of the order of LM (galil-dmc.md
     /// B.1, L.2 8).</summary>

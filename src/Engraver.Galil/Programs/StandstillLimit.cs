@@ -15,7 +15,7 @@ internal static class StandstillLimit
     internal const double TickSeconds = 0.05;
 
     /// <summary>More than an hour, limited so that the line that assigns it is one line.</summary>
-    private const double MostTicks = 99_999.0;
+    private const double MaxTicks = 99_999.0;
 
     /// <summary>Time without progress after which a job is stopped.</summary>
     public static double Seconds(MachineProfile profile) => JobSeconds + LongestWait(profile);
@@ -23,5 +23,5 @@ internal static class StandstillLimit
     private static double LongestWait(MachineProfile profile) => Math.Max(Math.Max(profile.ToolSettleSeconds, profile.OffSettleSeconds), profile.Spindle?.SpinUpSeconds ?? 0.0);
 
     /// <summary>Ticks of the watchdog in the controller for which the tool may be on without motion.</summary>
-    public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(MostTicks, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
+    public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(MaxTicks, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
 }

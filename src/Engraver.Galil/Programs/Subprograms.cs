@@ -9,7 +9,7 @@ namespace Engraver.Galil.Programs;
 internal static class Subprograms
 {
     public const string Linear = "#LINEAR";
-    public const string Circ = "#CIRC";
+    public const string Circular = "#CIRC";
     public const string Rapid = "#RAPID";
     public const string Slope = "#SLOPE";
     public const string Down = "#DOWN";
@@ -24,7 +24,7 @@ internal static class Subprograms
     public static IReadOnlyList<string> LinearLines(MachineProfile profile, string last) => Interpolation(profile, Linear, "VP x,y", last);
 
     /// <summary>Cuts an arc of radius r from angle th of its circle by the sweep da, and waits for its end.</summary>
-    public static IReadOnlyList<string> CircLines(MachineProfile profile, string last) => Interpolation(profile, Circ, "CR r,th,da", last);
+    public static IReadOnlyList<string> CircularLines(MachineProfile profile, string last) => Interpolation(profile, Circular, "CR r,th,da", last);
 
     /// <summary>Travels to x, y in the controller's own coordinates, each axis at its rapid speed, and waits for the end.</summary>
     public static IReadOnlyList<string> RapidLines(MachineProfile profile, string last) => RapidLines(profile, TargetLine(profile, "x", "y"), last);
@@ -86,7 +86,7 @@ internal static class Subprograms
         new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line("VS f").Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 
     /// <summary>True when the tool is at the height of a variable or above it, as a condition of JP.</summary>
-    public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.Up > 0 ? ">=" : "<=")}{height}";
+    public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.UpSign > 0 ? ">=" : "<=")}{height}";
 
     /// <summary>Moves the Z axis and waits.</summary>
     public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";

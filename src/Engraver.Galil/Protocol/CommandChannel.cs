@@ -46,7 +46,7 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <returns>Whether the echo was on.</returns>
     /// <exception cref="ControllerException">No reply.</exception>
     public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
-        await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
+        await ExchangeAsync(EchoHandshake.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && EchoHandshake.WasEchoed(said);
 
     /// <summary>From now on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo
     /// nothing changes.</summary>
@@ -112,7 +112,7 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <param name="line">Its parts are answered by prompts alone.</param>
     /// <remarks>The controller's answer is not returned: send the line again in its turn. Where echoes are compared the whole line goes out at once, and
     /// not part by part as with <see cref="SendAsync"/>.</remarks>
-    public ValueTask UrgeAsync(string line) => _wire.UrgeAsync(CommandLine.Checked(line), isFree: _turn.CurrentCount > 0);
+    public ValueTask SendUrgentAsync(string line) => _wire.UrgeAsync(CommandLine.Checked(line), isFree: _turn.CurrentCount > 0);
 
     public ValueTask DisposeAsync() => _wire.DisposeAsync(); // the turn is left to the garbage collector: a stop may still wait for it, and gets the wire's failure
 

@@ -98,7 +98,7 @@ internal sealed class CommandWire : IAsyncDisposable
     }
 
     /// <summary>Puts a line of commands on the wire at once, also while another command waits for its answer, which may be late or lost; the prompts of the
-    /// urgent line are taken before the next command goes out (<see cref="CommandChannel.UrgeAsync"/>).</summary>
+    /// urgent line are taken before the next command goes out (<see cref="CommandChannel.SendUrgentAsync"/>).</summary>
     /// <param name="isFree">No command waits for its answer.</param>
     public async ValueTask UrgeAsync(string text, bool isFree)
     {
@@ -111,7 +111,7 @@ internal sealed class CommandWire : IAsyncDisposable
             var bytes = Encoding.Latin1.GetBytes(text + "\r");
             if (_underWay == Exchange.None && _owed == 0) Expect(ReplyShape.Text, 0, isDownload: false);
             _owed += CommandLine.Parts(text).Count;
-            _echo?.Overtaken(bytes);
+            _echo?.SentUrgently(bytes);
             await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
         }
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
@@ -150,7 +150,7 @@ internal sealed class CommandWire : IAsyncDisposable
     {
         _echoesMix = true;
         (var compares, _echo, _owed) = (_echo, null, 1); // the answer to the greeting is behind the prompts of every urgent line
-        foreach (var (text, shape) in new[] { (SerialGreeting.Text, ReplyShape.Greeting), ("EO 1", ReplyShape.Text) })
+        foreach (var (text, shape) in new[] { (EchoHandshake.Text, ReplyShape.Greeting), ("EO 1", ReplyShape.Text) })
         {
             await PutAsync(text, shape, 0, _replyTimeout).ConfigureAwait(false);
             await TryReadFrameAsync(text).ConfigureAwait(false);
@@ -165,7 +165,7 @@ internal sealed class CommandWire : IAsyncDisposable
     /// executed is not known.</exception>
     public async ValueTask AskAgainAsync(string text)
     {
-        var heard = _echo!.UrgentHarm!;
+        var heard = _echo!.UrgentDifference!;
         await _writing.WaitAsync().ConfigureAwait(false);
         try
         {
@@ -189,14 +189,14 @@ internal sealed class CommandWire : IAsyncDisposable
         try
         {
             (_echo, _owed) = (null, 0); // the answer to the greeting is behind the prompts of every urgent line
-            await PutAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout).ConfigureAwait(false);
+            await PutAsync(EchoHandshake.Text, ReplyShape.Greeting, 0, _replyTimeout).ConfigureAwait(false);
         }
         finally
         {
             _writing.Release();
         }
 
-        await TryReadFrameAsync(SerialGreeting.Text).ConfigureAwait(false);
+        await TryReadFrameAsync(EchoHandshake.Text).ConfigureAwait(false);
         return Harmed(text, heard);
     }
 
@@ -272,15 +272,15 @@ internal sealed class CommandWire : IAsyncDisposable
     /// <summary>The time that bytes take on a serial line; zero on another link.</summary>
     public TimeSpan WireTime(int bytes) => Line?.Time(bytes) ?? TimeSpan.Zero;
 
-    public async ValueTask<ReplyFrame> ReadFrameAsync(string text) => await TryReadFrameAsync(text).ConfigureAwait(false) ?? throw await HarmedAsync(text, _echo!.UrgentHarm!).ConfigureAwait(false);
+    public async ValueTask<ReplyFrame> ReadFrameAsync(string text) => await TryReadFrameAsync(text).ConfigureAwait(false) ?? throw await HarmedAsync(text, _echo!.UrgentDifference!).ConfigureAwait(false);
 
     /// <returns>Null where the answer cannot be separated from the echo of an urgent line.</returns>
     public async ValueTask<ReplyFrame?> TryReadFrameAsync(string text)
     {
         while (true)
         {
-            if (_echo?.Harm is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
-            if (_echo?.UrgentHarm is not null) return null;
+            if (_echo?.Difference is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
+            if (_echo?.UrgentDifference is not null) return null;
             if (_framer.TryTake(out var frame))
             {
                 _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
@@ -316,7 +316,7 @@ internal sealed class CommandWire : IAsyncDisposable
     private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
         ? text.Length == 0
             ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReply", _link.Description), failure)
-            : text == SerialGreeting.Text
+            : text == EchoHandshake.Text
             ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyOnSerialLine", _link.Description), failure)
             : new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyToCommand", _link.Description, FirstLine(text)), failure)
         : new ControllerLinkException(Wording.Get("CommandChannel.LinkLost", _link.Description, failure.Message), failure);

@@ -17,16 +17,16 @@ internal sealed class LineEcho
     private readonly Lock _gate = new();
     private readonly List<byte> _expected = [];
     private readonly List<byte> _urgent = [];
-    private int _heard;
-    private int _urgentHeard;
+    private int _received;
+    private int _urgentReceived;
     private bool _isDownload;
     private bool _wasUrgentReturn;
 
     /// <summary>The echo up to the first byte that differs; null while all bytes agree.</summary>
-    public string? Harm { get; private set; }
+    public string? Difference { get; private set; }
 
     /// <summary>The same for an urgent line. If a reply is mixed with its echo, neither can be distinguished.</summary>
-    public string? UrgentHarm { get; private set; }
+    public string? UrgentDifference { get; private set; }
 
     /// <summary>Call before a line is sent.</summary>
     public void Begin(bool isDownload)
@@ -35,7 +35,7 @@ internal sealed class LineEcho
         {
             _expected.Clear();
             _urgent.Clear();
-            (_heard, _urgentHeard, _isDownload, _wasUrgentReturn, Harm, UrgentHarm) = (0, 0, isDownload, false, null, null);
+            (_received, _urgentReceived, _isDownload, _wasUrgentReturn, Difference, UrgentDifference) = (0, 0, isDownload, false, null, null);
         }
     }
 
@@ -46,7 +46,7 @@ internal sealed class LineEcho
 
     /// <summary>Call when an urgent line is sent after other bytes: its commands are answered by prompts only, so that a prompt within its echo is not part of
     /// the echo.</summary>
-    public void Overtaken(ReadOnlySpan<byte> bytes)
+    public void SentUrgently(ReadOnlySpan<byte> bytes)
     {
         lock (_gate) _urgent.AddRange(bytes);
     }
@@ -69,23 +69,23 @@ internal sealed class LineEcho
 
     private bool IsEcho(byte value)
     {
-        if (value >= 0x80 || Harm is not null || UrgentHarm is not null) return false;
-        if (_heard > _expected.Count) return IsUrgentEcho(value);
-        if (_heard == _expected.Count) return IsFeedBehindEcho(value) || IsUrgentEcho(value);
-        if (value == _expected[_heard])
+        if (value >= 0x80 || Difference is not null || UrgentDifference is not null) return false;
+        if (_received > _expected.Count) return IsUrgentEcho(value);
+        if (_received == _expected.Count) return IsFeedBehindEcho(value) || IsUrgentEcho(value);
+        if (value == _expected[_received])
         {
-            _heard++;
+            _received++;
             return true;
         }
 
         if (_isDownload) return value is not ((byte)':' or (byte)'?');
-        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was echoed differently
+        if (_received == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was echoed differently
         {
-            _heard = _expected.Count + 1;
+            _received = _expected.Count + 1;
             return value == Feed || IsUrgentEcho(value);
         }
 
-        Harm = Encoding.Latin1.GetString([.. _expected.Take(_heard), value]);
+        Difference = Encoding.Latin1.GetString([.. _expected.Take(_received), value]);
         return false;
     }
 
@@ -93,26 +93,26 @@ internal sealed class LineEcho
     private bool IsFeedBehindEcho(byte value)
     {
         var isFeed = value == Feed && _expected.Count > 0 && _expected[^1] == Return;
-        _heard = _expected.Count + 1;
+        _received = _expected.Count + 1;
         return isFeed;
     }
 
-    private bool IsUrgentBeginning(byte value) => _urgentHeard == 0 && _urgent.Count > 0 && value == _urgent[0];
+    private bool IsUrgentBeginning(byte value) => _urgentReceived == 0 && _urgent.Count > 0 && value == _urgent[0];
 
     private bool IsUrgentEcho(byte value)
     {
         var isFeed = value == Feed && _wasUrgentReturn;
         _wasUrgentReturn = false;
         if (isFeed || value is (byte)':' or (byte)'?') return isFeed;
-        if (_urgentHeard < _urgent.Count && value == _urgent[_urgentHeard])
+        if (_urgentReceived < _urgent.Count && value == _urgent[_urgentReceived])
         {
-            _wasUrgentReturn = _urgent[_urgentHeard++] == Return;
+            _wasUrgentReturn = _urgent[_urgentReceived++] == Return;
             return true;
         }
 
-        if (_urgentHeard == 0) return false; // the overtaken reply, or no urgent line
-        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the reply after the complete echo
-        UrgentHarm = Encoding.Latin1.GetString([.. _urgent.Take(_urgentHeard), value]);
+        if (_urgentReceived == 0) return false; // the overtaken reply, or no urgent line
+        if (_urgent[_urgentReceived - 1] == Return || _urgent[_urgentReceived] == Return) return false; // the reply after the complete echo
+        UrgentDifference = Encoding.Latin1.GetString([.. _urgent.Take(_urgentReceived), value]);
         return false;
     }
 }

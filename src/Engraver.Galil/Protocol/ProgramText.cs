@@ -24,7 +24,7 @@ public static class ProgramText
     public static string FromUpload(string data) => string.Join('\n', Lines(data.TrimEnd('\x1A', '\\')));
 
     /// <summary>True when both have the same lines; line ends and trailing blanks are ignored.</summary>
-    public static bool AreSame(string left, string right) => Lines(ForComparison(left)).SequenceEqual(Lines(ForComparison(right)));
+    public static bool AreEquivalent(string left, string right) => Lines(ForComparison(left)).SequenceEqual(Lines(ForComparison(right)));
 
     private static string ForComparison(string program) => string.Join('\n', Lines(program).Select(line => line.Length == 0 ? "'" : line.TrimEnd()));
 

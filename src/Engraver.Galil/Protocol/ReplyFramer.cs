@@ -59,7 +59,7 @@ public sealed class ReplyFramer
     private bool IsPrompt(byte value)
     {
         if (value is not ((byte)':' or (byte)'?')) return false;
-        if (Shape == ReplyShape.Greeting) return value == ':' && SerialGreeting.IsAnswered(CollectionsMarshal.AsSpan(_data));
+        if (Shape == ReplyShape.Greeting) return value == ':' && EchoHandshake.IsAnswered(CollectionsMarshal.AsSpan(_data));
         if (_data.Count == 0) return value == '?' || Shape != ReplyShape.Record;
         return Shape switch
         {
@@ -86,29 +86,10 @@ public sealed class ReplyFramer
     }
 }
 
-/// <summary>One prompt and the bytes before it; a character of <paramref name="Data"/> is one byte.</summary>
-public readonly record struct ReplyFrame(bool Accepted, string Data);
-
-/// <summary>Shapes of replies.</summary>
-public enum ReplyShape
-{
-    /// <summary>Data lines, CR LF, prompt; or the prompt alone.</summary>
-    Text,
-
-    /// <summary>UL and QU: text ended by Ctrl-Z (or a backslash), then the prompt (galil-dmc.md A.6).</summary>
-    Upload,
-
-    /// <summary>QR: a binary record of known length, then the prompt (galil-dmc.md A.9).</summary>
-    Record,
-
-    /// <summary>The reply to the first lines on a serial line (<see cref="SerialGreeting"/>): anything up to the reply to the last of them.</summary>
-    Greeting,
-}
-
 /// <summary>The first lines on a serial line, for any state in which an earlier host left it (galil-dmc.md A.2, F.2, F.4).</summary>
 /// <remarks>The backslash ends an open download, and makes an incomplete command invalid, so that it is refused and not executed. Then the echo is switched
 /// off. The reply to the last line cannot be confused with its echo: prompts are counted from there.</remarks>
-internal static class SerialGreeting
+internal static class EchoHandshake
 {
     public const string Text = "\\\rEO 0\rMG \"READY\"";
 

@@ -47,7 +47,7 @@ public sealed class ControllerSession : IAsyncDisposable
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
     /// <summary>The handle for the operator's stop: it never waits for the sending of segments, and on a serial line only for the bytes that are being sent
-    /// (<see cref="CommandChannel.UrgeAsync"/>).</summary>
+    /// (<see cref="CommandChannel.SendUrgentAsync"/>).</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
     /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and, on a serial line, the
@@ -68,12 +68,12 @@ public sealed class ControllerSession : IAsyncDisposable
         {
             commands = await Open("A", cancellation).ConfigureAwait(false);
             bool? echo = commands.Line is null ? null : await commands.GreetAsync(cancellation).ConfigureAwait(false);
-            await SignOfLifeAsync(commands, cancellation).ConfigureAwait(false);
-            if (options.SecondHandle && commands.Line is null) await SignOfLifeAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
+            await CheckSecondHandleAsync(commands, cancellation).ConfigureAwait(false);
+            if (options.SecondHandle && commands.Line is null) await CheckSecondHandleAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
             var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, time);
-            await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
+            await session.ConfigureLinkAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;
         }
@@ -87,7 +87,7 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>Opens the second handle. A controller without a free handle accepts a connection and closes it at once (galil-dmc.md A.1); the message must not
     /// suggest a disconnected cable.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
+    private static async Task CheckSecondHandleAsync(CommandChannel channel, CancellationToken cancellation)
     {
         try
         {
@@ -129,24 +129,24 @@ public sealed class ControllerSession : IAsyncDisposable
         catch (Exception failure) when (failure is ControllerException or IOException)
         {
             _second = null;
-            return SystemReason.Of(failure);
+            return SystemErrorText.FromException(failure);
         }
     }
 
     /// <summary>Why no job can start now: a thread of another program runs, or something moves. Null when the machine is free.</summary>
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
-        if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
+        if (await IsOwnJobRunningAsync(cancellation).ConfigureAwait(false))
             return Wording.Get("ControllerSession.InUseByAnotherRun");
         for (var thread = 0; thread < 8; thread++)
         {
-            var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
+            var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).ValuesOrEmpty;
             if (line is >= 0) return Wording.Get("ControllerSession.ThreadRunning", thread, line);
         }
 
         foreach (var mover in Identity.Letters + "ST")
         {
-            var moving = (await Commands.ReadAsync($"_BG{mover}", cancellation).ConfigureAwait(false)).OrNothing;
+            var moving = (await Commands.ReadAsync($"_BG{mover}", cancellation).ConfigureAwait(false)).ValuesOrEmpty;
             if (moving is 1.0) return Wording.Get(mover is 'S' or 'T' ? "ControllerSession.PlaneMoving" : "ControllerSession.AxisMoving", mover);
         }
 
@@ -154,7 +154,7 @@ public sealed class ControllerSession : IAsyncDisposable
     }
 
     /// <summary>Uses the state that an earlier session found and could not restore as the state to restore.</summary>
-    internal void Inherit(FoundState found) => Found = found;
+    internal void AdoptFoundState(FoundState found) => Found = found;
 
     /// <summary>Reads the software limits before they are changed, so that they are restored with the other settings; only once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -162,7 +162,7 @@ public sealed class ControllerSession : IAsyncDisposable
     {
         foreach (var operand in limits.SelectMany(limit => new[] { $"_FL{limit.Axis}", $"_BL{limit.Axis}" }))
         {
-            if (HasFound(operand) || (await Commands.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).OrNothing is not { } value) continue;
+            if (HasFound(operand) || (await Commands.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).ValuesOrEmpty is not { } value) continue;
             Found = Found with { Motion = [.. Found.Motion, new FoundSetting(operand, $"{operand[1..]}={DmcFormat.Number(value)}")] };
         }
     }
@@ -173,8 +173,8 @@ public sealed class ControllerSession : IAsyncDisposable
     {
         foreach (var limit in limits.Where(limit => HasFound($"_FL{limit.Axis}") && HasFound($"_BL{limit.Axis}")))
         {
-            yield return string.Create(CultureInfo.InvariantCulture, $"FL{limit.Axis}={Math.Min(int.MaxValue, limit.Most + 1L)}");
-            yield return string.Create(CultureInfo.InvariantCulture, $"BL{limit.Axis}={Math.Max(int.MinValue, limit.Least - 1L)}");
+            yield return string.Create(CultureInfo.InvariantCulture, $"FL{limit.Axis}={Math.Min(int.MaxValue, limit.Max + 1L)}");
+            yield return string.Create(CultureInfo.InvariantCulture, $"BL{limit.Axis}={Math.Max(int.MinValue, limit.Min - 1L)}");
         }
     }
 
@@ -182,9 +182,9 @@ public sealed class ControllerSession : IAsyncDisposable
 
     /// <summary>True when the watchdog of this program runs and another host sends it heartbeats: halting it would leave a machine without
     /// supervision.</summary>
-    private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
-        (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
-        && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).OrNothing is > 0;
+    private async Task<bool> IsOwnJobRunningAsync(CancellationToken cancellation) =>
+        (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).ValuesOrEmpty is >= 0
+        && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).ValuesOrEmpty is > 0;
 
     /// <summary>Restores speeds, accelerations and motors. Call at rest.</summary>
     /// <returns>One sentence for each setting that could not be restored.</returns>
@@ -192,20 +192,20 @@ public sealed class ControllerSession : IAsyncDisposable
     public async Task<IReadOnlyList<string>> RestoreAsync(CancellationToken cancellation)
     {
         var commands = Found.Motion.Select(setting => setting.RestoreCommand).Concat(Found.MotorsOff.Select(letter => $"MO{letter}"));
-        return await TryEachAsync(commands, cancellation).ConfigureAwait(false);
+        return await SendEachAsync(commands, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Another host or program has changed these settings: <see cref="RestoreAsync"/> keeps their present values.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    internal async Task LeaveToOthersAsync(IReadOnlyList<string> operands) => Found = await Found.WithPresentAsync(Commands, operands, CancellationToken.None).ConfigureAwait(false);
+    internal async Task AdoptPresentAsync(IReadOnlyList<string> operands) => Found = await Found.WithPresentAsync(Commands, operands, CancellationToken.None).ConfigureAwait(false);
 
     /// <summary>Burns the controller's parameters (BN), with CW and the number format as found: both are burned with the others (galil-dmc.md A.6).</summary>
     /// <exception cref="ControllerException">The link failed meanwhile.</exception>
     internal async Task<Rejected?> BurnAsync(CancellationToken cancellation)
     {
-        await TryEachAsync(Found.Wire.RestoreCommands(null), cancellation).ConfigureAwait(false);
+        await SendEachAsync(Found.Wire.RestoreCommands(null), cancellation).ConfigureAwait(false);
         var reply = await Commands.BurnAsync(CancellationToken.None).ConfigureAwait(false);
-        await AgreeOnWireAsync(CancellationToken.None).ConfigureAwait(false);
+        await ConfigureLinkAsync(CancellationToken.None).ConfigureAwait(false);
         return reply as Rejected;
     }
 
@@ -213,8 +213,8 @@ public sealed class ControllerSession : IAsyncDisposable
     {
         try
         {
-            var echo = Found.Wire.Echo is null ? null : (await Commands.ReadAsync("_EO", CancellationToken.None).ConfigureAwait(false)).OrNothing;
-            await TryEachAsync(Found.Wire.RestoreCommands(echo), CancellationToken.None).ConfigureAwait(false);
+            var echo = Found.Wire.Echo is null ? null : (await Commands.ReadAsync("_EO", CancellationToken.None).ConfigureAwait(false)).ValuesOrEmpty;
+            await SendEachAsync(Found.Wire.RestoreCommands(echo), CancellationToken.None).ConfigureAwait(false);
         }
         catch (ControllerException)
         {
@@ -225,7 +225,7 @@ public sealed class ControllerSession : IAsyncDisposable
         await _commands.DisposeAsync().ConfigureAwait(false);
     }
 
-    private async Task<IReadOnlyList<string>> TryEachAsync(IEnumerable<string> commands, CancellationToken cancellation)
+    private async Task<IReadOnlyList<string>> SendEachAsync(IEnumerable<string> commands, CancellationToken cancellation)
     {
         var failures = new List<string>();
         foreach (var command in commands)
@@ -238,7 +238,7 @@ public sealed class ControllerSession : IAsyncDisposable
 
     /// <summary>Configures the link: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not run the job, numbers wide
     /// enough for any position; on a serial line without decimals, because every byte takes time.</summary>
-    private async Task AgreeOnWireAsync(CancellationToken cancellation)
+    private async Task ConfigureLinkAsync(CancellationToken cancellation)
     {
         if (Found.Wire.RecordPeriod is not 0.0) await _commands.SendAsync("DR 0", cancellation).ConfigureAwait(false);
         await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
@@ -247,25 +247,3 @@ public sealed class ControllerSession : IAsyncDisposable
         if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, because unsolicited text must be marked to be distinguished from a wrong echo
     }
 }
-
-/// <summary>Settings of a session.</summary>
-public sealed record SessionOptions
-{
-    /// <summary>Time without a reply after which the link counts as lost.</summary>
-    public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
-
-    /// <summary>Opens a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop is then sent after the bytes
-    /// that are being sent.</summary>
-    public bool SecondHandle { get; init; } = true;
-
-    /// <summary>Receives every line on the wire; null for none.</summary>
-    public IWireTrace? Trace { get; init; }
-
-    /// <summary>Called with each line printed by a program in the controller, on the reading thread: it must return at once.</summary>
-    public Action<string>? MessageReceived { get; init; }
-}
-
-/// <summary>The second handle was lost during a session.</summary>
-/// <param name="Reason">Why it was lost.</param>
-/// <param name="NotReopened">Why it could not be opened again; null when it is open again.</param>
-internal sealed record StopHandleLoss(string Reason, string? NotReopened);

@@ -14,19 +14,19 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     {
         var wire = await WireState.ReadAsync(channel, echo, cancellation).ConfigureAwait(false);
         var motion = new List<FoundSetting>();
-        if ((await channel.ReadWholeAsync("_CA", cancellation).ConfigureAwait(false)).OrNothing is { } plane) motion.Add(new FoundSetting("_CA", plane == 0.0 ? "CAS" : "CAT"));
+        if ((await channel.ReadWholeAsync("_CA", cancellation).ConfigureAwait(false)).ValuesOrEmpty is { } plane) motion.Add(new FoundSetting("_CA", plane == 0.0 ? "CAS" : "CAT"));
         if (await SpeedRatioAsync(channel, cancellation).ConfigureAwait(false) is { } ratio) motion.Add(new FoundSetting("_VRS", ratio));
         foreach (var (operand, command) in WholeNumbers(letters))
         {
             var reading = await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false);
-            if (reading.OrNothing is { } value) motion.Add(new FoundSetting(operand, command + DmcFormat.Number(value)));
+            if (reading.ValuesOrEmpty is { } value) motion.Add(new FoundSetting(operand, command + DmcFormat.Number(value)));
         }
 
         var off = "";
         foreach (var letter in letters)
         {
             var reading = await channel.ReadWholeAsync("_MO" + letter, cancellation).ConfigureAwait(false);
-            if (reading.OrNothing is 1.0) off += letter;
+            if (reading.ValuesOrEmpty is 1.0) off += letter;
         }
 
         return new FoundState(wire, motion, off);
@@ -49,7 +49,7 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     private static async Task<string?> PresentAsync(CommandChannel channel, FoundSetting setting, CancellationToken cancellation)
     {
         if (setting.Operand == "_VRS") return await SpeedRatioAsync(channel, cancellation).ConfigureAwait(false);
-        return (await channel.ReadWholeAsync(setting.Operand, cancellation).ConfigureAwait(false)).OrNothing is { } value ? $"{setting.Operand[1..]}={DmcFormat.Number(value)}" : null;
+        return (await channel.ReadWholeAsync(setting.Operand, cancellation).ConfigureAwait(false)).ValuesOrEmpty is { } value ? $"{setting.Operand[1..]}={DmcFormat.Number(value)}" : null;
     }
 
     /// <summary>VR as hexadecimal, which is exact: it has a resolution of 1/65536, and decimals are truncated to four (0.3 would be read as 0.2999;
@@ -58,7 +58,7 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     private static async Task<string?> SpeedRatioAsync(CommandChannel channel, CancellationToken cancellation)
     {
         if (await channel.SendAsync("MG _VRS{$8.4}", cancellation).ConfigureAwait(false) is Accepted { Data: ['$', ..] exact }) return "VR " + exact;
-        return (await channel.ReadAsync("_VRS", cancellation).ConfigureAwait(false)).OrNothing is { } ratio ? "VR " + DmcFormat.Number(ratio) : null;
+        return (await channel.ReadAsync("_VRS", cancellation).ConfigureAwait(false)).ValuesOrEmpty is { } ratio ? "VR " + DmcFormat.Number(ratio) : null;
     }
 
     private static IEnumerable<(string Operand, string Command)> WholeNumbers(string letters)

@@ -36,7 +36,7 @@ internal static class Handshake
 
     private static async Task<ControllerLimits> LimitsAsync(CommandChannel channel, CancellationToken cancellation)
     {
-        async Task<int?> Ask(string operand) => (int?)(await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
+        async Task<int?> Ask(string operand) => (int?)(await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).ValuesOrEmpty;
         return new ControllerLimits(
             await Ask("_DL").ConfigureAwait(false),
             await Ask("_UL").ConfigureAwait(false),

@@ -21,7 +21,7 @@ internal static class StatusPoll
         var motion = await channel.ReadAsync($"{Each("_RP")},{Each("_TE")},_BGS,{Each("_BG")},{Each("_MO")}", cancellation).ConfigureAwait(false);
         if (motion.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         var (n, v) = (letters.Length, motion.Values.ToArray());
-        var found = new MachineReading(CountsPoint.From(v.AsSpan(0, n)), CountsPoint.From(v.AsSpan(n, n)), v.AsSpan(2 * n, n + 1).ContainsAnyExcept(0.0), Those(letters, v[((3 * n) + 1)..], value => value != 0));
+        var found = new MachineReading(CountsPoint.From(v.AsSpan(0, n)), CountsPoint.From(v.AsSpan(n, n)), v.AsSpan(2 * n, n + 1).ContainsAnyExcept(0.0), LettersWhere(letters, v[((3 * n) + 1)..], value => value != 0));
         var inputs = await channel.ReadAsync($"_TI0,_OP0,_VMS,{string.Join(',', letters.Select(letter => $"_LF{letter},_LR{letter}"))},{Each("_SC")},_AB,_XQ0", cancellation).ConfigureAwait(false);
         return inputs.Refusal is null ? WithInputs(found, axes, [.. inputs.Values]) : found;
 
@@ -38,15 +38,15 @@ internal static class StatusPoll
             Outputs = (int)v[1],
             Speed = v[2],
             Limit = string.Join(", ", LimitsHit(axes, v)),
-            LostPosition = string.Concat(Those(letters, codes, code => code == PositionError).Intersect(found.MotorsOff)),
-            StoppedHard = Those(letters, codes, code => StopCodes.IsWithoutRamp((int)code)),
+            LostPosition = string.Concat(LettersWhere(letters, codes, code => code == PositionError).Intersect(found.MotorsOff)),
+            StoppedWithoutRamp = LettersWhere(letters, codes, code => StopCodes.IsWithoutRamp((int)code)),
             AbortInput = codes[letters.Length] == 0,
-            ProgramRuns = codes[letters.Length + 1] >= 0,
+            IsProgramRunning = codes[letters.Length + 1] >= 0,
         };
     }
 
     /// <summary>The letters of the axes whose values fulfil a condition; their values come first.</summary>
-    private static string Those(string letters, double[] values, Func<double, bool> isSo) => string.Concat(letters.Where((_, i) => isSo(values[i])));
+    private static string LettersWhere(string letters, double[] values, Func<double, bool> isSo) => string.Concat(letters.Where((_, i) => isSo(values[i])));
 
     /// <summary>_LF and _LR are 0 when the switch is hit.</summary>
     private static IEnumerable<string> LimitsHit(MachineAxes axes, double[] v)

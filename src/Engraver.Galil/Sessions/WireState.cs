@@ -16,13 +16,13 @@ public sealed record WireState(double? Echo, char? MessagePort, double? MessageM
     /// <param name="heardEcho">Whether the echo was on when a serial line was greeted; null for other links: the controller is queried.</param>
     internal static async Task<WireState> ReadAsync(CommandChannel channel, bool? heardEcho, CancellationToken cancellation)
     {
-        async Task<double?> Ask(string operand) => (await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
+        async Task<double?> Ask(string operand) => (await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).ValuesOrEmpty;
         var echo = heardEcho is { } heard ? heard ? 1.0 : 0.0 : await Ask("_EO").ConfigureAwait(false);
         var port = await Ask("_CF").ConfigureAwait(false);
         var mark = await Ask("_CW").ConfigureAwait(false);
         var period = await Ask("_DR0").ConfigureAwait(false);
         var handle = await Ask("_DR1").ConfigureAwait(false);
-        var format = (await channel.ReadAsync("_VF{F10.4}", cancellation).ConfigureAwait(false)).OrNothing;
+        var format = (await channel.ReadAsync("_VF{F10.4}", cancellation).ConfigureAwait(false)).ValuesOrEmpty;
         return new WireState(echo, port is >= 'A' and <= 'Z' ? (char)port : null, mark, period, handle, format);
     }
 

@@ -89,5 +89,5 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
     }
 
     /// <summary>One number with one decimal, in any number format of the session (MT 2.5).</summary>
-    private async ValueTask<double?> AskAsync(string operand, CancellationToken cancellation) => (await session.Commands.ReadAsync(operand + "{F10.1}", cancellation).ConfigureAwait(false)).OrNothing;
+    private async ValueTask<double?> AskAsync(string operand, CancellationToken cancellation) => (await session.Commands.ReadAsync(operand + "{F10.1}", cancellation).ConfigureAwait(false)).ValuesOrEmpty;
 }

@@ -8,14 +8,14 @@ public static class CommandGuard
     /// <summary>The reason why a line is withheld; null when it may be sent.</summary>
     /// <param name="line">One or more commands, separated by semicolons.</param>
     /// <param name="confirmed">The operator typed the confirmation.</param>
-    public static string? WhyNot(string line, bool confirmed)
+    public static string? ReasonToWithhold(string line, bool confirmed)
     {
         if (line.Length > CommandLine.MaximumLength) return Wording.Get("CommandGuard.LineTooLong", line.Length, CommandLine.MaximumLength);
         if (line.Contains('\\', StringComparison.Ordinal) || line.Any(char.IsControl) || !line.All(char.IsAscii)) return Wording.Get("CommandGuard.InvalidCharacters");
         foreach (var part in CommandLine.Parts(line))
         {
             var command = part.Trim();
-            if (NeverSent(command) is { } never) return never;
+            if (ReasonNotSent(command) is { } never) return never;
             if (!confirmed && Danger(command) is { } danger) return Wording.Get(danger, command, TerminalLine.ConfirmWord, line);
         }
 
@@ -33,7 +33,7 @@ public static class CommandGuard
         _ => null,
     };
 
-    private static string? NeverSent(string command) => Letters(command) switch
+    private static string? ReasonNotSent(string command) => Letters(command) switch
     {
         "DL" or "QD" => Wording.Get("CommandGuard.Download"),
         "ED" => Wording.Get("CommandGuard.LineEditor"),

@@ -42,13 +42,13 @@ public sealed class MachineTerminal : IMachineTerminal
     }
 
     /// <summary>A terminal on a session that another object owns: it must not be disposed.</summary>
-    internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
+    internal static MachineTerminal FromSession(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
 
-    public bool Ends(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
+    public bool IsExitLine(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
 
     /// <summary>Executes one line: returns the output of programs so far, then the reply itself. The caller handles <see cref="TerminalLine.Quit"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
+    public async Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation)
     {
         if (line.Trim().Length > 0) _history.Add(line.Trim());
         var answer = TerminalLine.Read(line) switch

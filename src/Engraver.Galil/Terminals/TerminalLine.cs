@@ -20,7 +20,7 @@ public abstract record TerminalLine
         if (text is "help" || text.StartsWith("help ", StringComparison.Ordinal)) return new Help(text["help".Length..].Trim());
         var confirmed = text.StartsWith(ConfirmWord + " ", StringComparison.Ordinal);
         var command = confirmed ? text[ConfirmWord.Length..].Trim() : text;
-        return CommandGuard.WhyNot(command, confirmed) is { } why ? new Withheld(why) : new ToSend(command);
+        return CommandGuard.ReasonToWithhold(command, confirmed) is { } why ? new Withheld(why) : new ToSend(command);
     }
 
     /// <summary>A line for the controller; an empty one is a carriage return alone, which is answered with a prompt.</summary>

@@ -88,7 +88,7 @@ internal sealed class LineFile
         }
         catch (IOException unwritten)
         {
-            Fail(SystemReason.Of(unwritten));
+            Fail(SystemErrorText.FromException(unwritten));
         }
     }
 

@@ -12,11 +12,11 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     private static readonly TimeSpan WallLeeway = TimeSpan.FromMilliseconds(20);
 
     /// <summary>Wall time of silence after which a host with the clock that waits for a missing answer is assumed to be waiting for its own time-out.</summary>
-    private static readonly TimeSpan Unanswered = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan UnansweredTimeout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>Wall time of silence after which a host in another process is considered lost: time passes without it, and a watchdog can detect the loss. A
     /// host in this process is waited for indefinitely, because it is late only when this process is late.</summary>
-    private static readonly TimeSpan GivenUp = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan LostHostTimeout = TimeSpan.FromSeconds(10);
 
     private readonly SilenceRule _silence = new(machine, options.Time);
     private readonly long _started = options.Time.GetTimestamp();
@@ -31,13 +31,13 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <summary>Advances controller time by the duration of a command or a byte, unless time follows the wall clock.</summary>
     public void Spend(TimeSpan cost)
     {
-        if (!options.IsVirtual && !Hosts.AreThere) return;
+        if (!options.IsVirtual && !Hosts.HasHosts) return;
         machine.Advance(cost);
         _credit -= cost;
     }
 
     /// <summary>Called when a host has connected, disconnected or sent something.</summary>
-    public void Heard() => _silence.Heard();
+    public void ByteReceived() => _silence.ByteReceived();
 
     /// <summary>Advances controller time to the wall clock when it follows the wall clock. At a speed above 1, computing time does not count: a busy computer
     /// makes the
@@ -46,7 +46,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     {
         var now = Wall;
         var elapsed = now - _paced;
-        if (Hosts.AreThere) PaceHosts(elapsed);
+        if (Hosts.HasHosts) PaceHosts(elapsed);
         else if (!options.IsVirtual) machine.Advance(elapsed * options.Speed);
         _paced = options.Speed > 1.0 ? Wall : now;
     }
@@ -55,16 +55,16 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <param name="isHeldUp">True when a host waits for an answer that the controller does not send, or has sent an incomplete command.</param>
     /// <param name="isRead">True when a client is currently waiting for bytes from the controller. This distinguishes a host in this process that waits for an
     /// answer from one that is late.</param>
-    public void Look(bool isHeldUp, bool isRead)
+    public void Poll(bool isHeldUp, bool isRead)
     {
-        if (!Hosts.AreThere)
+        if (!Hosts.HasHosts)
         {
-            if (options.IsVirtual) _silence.Look();
+            if (options.IsVirtual) _silence.Poll();
             return;
         }
 
-        if (!Hosts.AllWait && Hosts.All(host => host.IsWaiting || IsStuck(host, isHeldUp, isRead))) machine.Advance(SinceLook());
-        _looked = Wall;
+        if (!Hosts.AllWait && Hosts.All(host => host.IsWaiting || IsStuck(host, isHeldUp, isRead))) machine.Advance(SincePoll());
+        _lastPoll = Wall;
     }
 
     /// <summary>Advances time towards the first host timer while all hosts wait.</summary>
@@ -81,13 +81,13 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     }
 
     private bool IsStuck(HostClock host, bool isHeldUp, bool isRead) =>
-        host.IsElsewhere ? _silence.Silent >= (isHeldUp ? Unanswered : GivenUp) : isHeldUp && isRead && _silence.Silent >= Unanswered;
+        host.IsElsewhere ? _silence.Silent >= (isHeldUp ? UnansweredTimeout : LostHostTimeout) : isHeldUp && isRead && _silence.Silent >= UnansweredTimeout;
 
-    private TimeSpan _looked;
+    private TimeSpan _lastPoll;
 
     private TimeSpan Leeway => WallLeeway * options.Speed;
 
-    private TimeSpan SinceLook() => Wall - _looked is var gap && gap < Unanswered ? gap : TimeSpan.Zero;
+    private TimeSpan SincePoll() => Wall - _lastPoll is var gap && gap < UnansweredTimeout ? gap : TimeSpan.Zero;
 
     /// <summary>At a finite speed, waiting hosts cannot run ahead of the wall clock; wall time that passes while a host is working is not made up
     /// for.</summary>

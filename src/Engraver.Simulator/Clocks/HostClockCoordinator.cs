@@ -28,7 +28,7 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
         {
             clock.Pace();
             clock.Hosts.Add(host);
-            clock.Heard();
+            clock.ByteReceived();
             happened();
         }
 
@@ -42,7 +42,7 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
         {
             clock.Pace();
             clock.Hosts.Remove(host);
-            clock.Heard();
+            clock.ByteReceived();
             happened();
         }
 
@@ -53,7 +53,7 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
     {
         lock (gate)
         {
-            if (isWait) clock.Heard();
+            if (isWait) clock.ByteReceived();
             clock.Hosts.Set(
                 timer, due == Timeout.InfiniteTimeSpan ? long.MaxValue : machine.ClockTicks + due.Ticks, period == Timeout.InfiniteTimeSpan ? 0 : period.Ticks, isWait);
             happened();

@@ -5,10 +5,10 @@ internal sealed class HostClocks
 {
     private readonly List<HostClock> _hosts = [];
     private readonly List<HostTimer> _set = [];
-    private long _begun;
+    private long _started;
 
     /// <summary>At least one host has the clock: time passes only while the hosts wait or send commands.</summary>
-    public bool AreThere => _hosts.Count > 0;
+    public bool HasHosts => _hosts.Count > 0;
 
     /// <summary>Every host waits for one of its timers.</summary>
     public bool AllWait => All(static host => host.IsWaiting);
@@ -39,8 +39,8 @@ internal sealed class HostClocks
     public void Set(HostTimer timer, long due, long period, bool isWait)
     {
         // A wait that is cancelled early leaves the host working, unless it has started another wait in the meantime.
-        if (timer.IsWait && !isWait) timer.Host.IsWaiting = _set.Exists(other => other.Host == timer.Host && other.IsWait && other.Begun > timer.Begun);
-        if (isWait) timer.Begun = ++_begun;
+        if (timer.IsWait && !isWait) timer.Host.IsWaiting = _set.Exists(other => other.Host == timer.Host && other.IsWait && other.Started > timer.Started);
+        if (isWait) timer.Started = ++_started;
         (timer.Due, timer.Period, timer.IsWait) = (due, period, isWait);
         _set.Remove(timer);
         if (due == long.MaxValue || !_hosts.Contains(timer.Host)) return;

@@ -15,7 +15,7 @@ internal sealed class HostTimer(HostClockCoordinator coordinator, HostClock host
     public bool IsWait { get; set; }
 
     /// <summary>Sequence number of the wait: waits are numbered in the order in which they started.</summary>
-    public long Begun { get; set; }
+    public long Started { get; set; }
 
     public void Fire() => callback(state);
 

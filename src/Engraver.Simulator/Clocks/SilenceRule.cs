@@ -11,7 +11,7 @@ internal sealed class SilenceRule(Machine machine, TimeProvider time)
     /// <summary>The same while a started sequence without VE waits for its host.</summary>
     private static readonly TimeSpan Long = TimeSpan.FromSeconds(2);
 
-    /// <summary>Maximum number of samples in one call of <see cref="Look"/>: of motion without an event, and (<see cref="BusyLeap"/>) of threads that never
+    /// <summary>Maximum number of samples in one call of <see cref="Poll"/>: of motion without an event, and (<see cref="BusyLeap"/>) of threads that never
     /// wait.</summary>
     private const long LongestLeap = 20_000;
     private const long BusyLeap = 5;
@@ -22,9 +22,9 @@ internal sealed class SilenceRule(Machine machine, TimeProvider time)
     public TimeSpan Silent => time.GetElapsedTime(_lastSign);
 
     /// <summary>Called when a host has connected, disconnected or sent something.</summary>
-    public void Heard() => _lastSign = time.GetTimestamp();
+    public void ByteReceived() => _lastSign = time.GetTimestamp();
 
-    public void Look()
+    public void Poll()
     {
         if (machine.IsDormant || Silent < (machine.AwaitsSegments ? Long : Short)) return;
         machine.AdvanceToEvent(Leap());

@@ -26,10 +26,3 @@ internal readonly record struct OperandRequest(Machine Machine, CommandContext C
         : Suffix.Length == 1 && char.IsAsciiDigit(Suffix.First) && Suffix.First - '0' <= largest ? Suffix.First - '0'
         : throw new CommandRefusedException(Tc.BadOperand);
 }
-
-/// <summary>The suffix after the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
-internal readonly record struct OperandSuffix(char First, char Second, int Length)
-{
-    public static OperandSuffix Parse(ReadOnlySpan<char> text) =>
-        new(text.Length > 0 ? text[0] : '\0', text.Length > 1 ? text[1] : '\0', text.Length);
-}

@@ -86,6 +86,3 @@ internal sealed class ProgramThread
 /// <summary>Return address of a subroutine or an automatic subroutine.</summary>
 /// <param name="Interrupt">True for an automatic subroutine, which can restore the trippoint that it interrupted.</param>
 internal readonly record struct CallFrame(int Line, int Part, bool Interrupt, Trippoint? Trippoint);
-
-/// <summary>A condition that a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known in advance.</summary>
-internal sealed record Trippoint(Func<bool> IsReleased, long? AtSample = null);

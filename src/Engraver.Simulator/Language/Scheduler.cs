@@ -217,7 +217,7 @@ internal sealed class Scheduler
     }
 
     /// <summary>Line number and text, as LS prints them [U].</summary>
-    private void Trace(int line) => Tell(string.Create(CultureInfo.InvariantCulture, $"{line} {_machine.Program[line].Text}\r\n"), null);
+    private void Trace(int line) => SendMessage(string.Create(CultureInfo.InvariantCulture, $"{line} {_machine.Program[line].Text}\r\n"), null);
 
     private void RunStatement(ProgramThread thread, int line, Statement statement)
     {
@@ -232,13 +232,13 @@ internal sealed class Scheduler
             Fail(thread, line, statement, refusal.Code);
         }
 
-        if (context.Output.Length > 0) Tell(context.Output.Text, context.OutputHandle);
+        if (context.Output.Length > 0) SendMessage(context.Output.Text, context.OutputHandle);
 
         Events += thread.IsRunning ? 0 : 1;
     }
 
     /// <summary>Sends a message of a program. A message that is not acknowledged is error 123 and runs #TCPERR (A.5, C.3).</summary>
-    private void Tell(ReadOnlySpan<char> text, int? handle)
+    private void SendMessage(ReadOnlySpan<char> text, int? handle)
     {
         if (_machine.Messages.Send(text, handle)) return;
         _machine.LastError = Tc.LostSync;
@@ -250,7 +250,7 @@ internal sealed class Scheduler
     {
         _machine.LastError = code;
         LastError = (line, thread.Number);
-        Tell(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
+        SendMessage(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
         var handled = CanHandle(thread);
         if (thread.Number != 0 || !handled) Halt(thread);
 

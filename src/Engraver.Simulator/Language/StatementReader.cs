@@ -136,9 +136,3 @@ internal sealed class StatementReader(Machine machine)
     /// axes).</summary>
     public char TakeLetter() => TryTake('~') ? machine.VariableAxes.LetterOf(TakeCharacter()) : TakeCharacter();
 }
-
-/// <summary>One positional argument: omitted, a question mark, or a value.</summary>
-internal readonly record struct Field(bool IsQuery, FixedPoint? Value)
-{
-    public bool IsMissing => !IsQuery && Value is null;
-}

@@ -10,18 +10,18 @@ namespace Engraver.Simulator.Language;
 /// <param name="Next">Index of the jump that is tested next.</param>
 internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int Next)
 {
-    private const int MostLines = 6;
+    private const int MaxLines = 6;
 
     /// <summary>The loop that a thread is in; null when it is not in a wait loop, or would leave the loop now.</summary>
     public static WaitLoop? Find(Machine machine, ProgramThread thread)
     {
         if (thread.Part != 0) return null;
-        for (var line = thread.Line; line < Math.Min(machine.Program.Count, thread.Line + MostLines); line++)
+        for (var line = thread.Line; line < Math.Min(machine.Program.Count, thread.Line + MaxLines); line++)
         {
             if (machine.Program[line].Parts.Length == 0) continue;
             if (Read(machine, line) is not { } jump) return null;
             if (Holds(machine, thread, jump.Condition) is not { } holds) return null;
-            if (holds) return jump.Target <= thread.Line && thread.Line - jump.Target < MostLines ? Between(machine, thread, jump.Target, line) : null;
+            if (holds) return jump.Target <= thread.Line && thread.Line - jump.Target < MaxLines ? Between(machine, thread, jump.Target, line) : null;
         }
 
         return null;

@@ -33,7 +33,7 @@ internal sealed class ContourMode(int capacity)
     public double SamplesPerStep { get; set; } = 1;
 
     /// <summary>The records ran out in motion since the last query: TC 42.</summary>
-    public bool WasLate { get; private set; }
+    public bool HadUnderrun { get; private set; }
 
     /// <summary>WC: there is room for the next record, or no axis is in contour mode.</summary>
     public bool IsReady => !IsOn || _waiting.Count == 0;
@@ -79,8 +79,8 @@ internal sealed class ContourMode(int capacity)
     /// <summary>True once after each time the records have run out.</summary>
     public bool TakeLateness()
     {
-        var late = WasLate;
-        WasLate = false;
+        var late = HadUnderrun;
+        HadUnderrun = false;
         return late;
     }
 
@@ -115,7 +115,7 @@ internal sealed class ContourMode(int capacity)
     private void FinishRecord()
     {
         _record = null;
-        WasLate |= _waiting.Count == 0;
+        HadUnderrun |= _waiting.Count == 0;
         if (_waiting.TryPeek(out var next) && next.IsEnd) TryTake();
     }
 
@@ -123,10 +123,4 @@ internal sealed class ContourMode(int capacity)
     {
         for (var i = 0; i < _axes.Length; i++) _axes[i].SetPosition(_start[i] + (record.Increments[i] * _elapsed / record.Samples));
     }
-}
-
-/// <summary>One CD: counts that each axis of CM moves within the given number of samples. 0 samples mark the end of the contour.</summary>
-internal sealed record ContourRecord(int[] Increments, int Samples)
-{
-    public bool IsEnd => Samples == 0;
 }

@@ -158,7 +158,7 @@ internal sealed class MotionKernel
     }
 
     /// <summary>ST: ends gear, cam and contour motion of the axis; cam and contour stop at once.</summary>
-    public void LetGo(Axis axis, int code)
+    public void ReleaseAxis(Axis axis, int code)
     {
         axis.Gear.Release();
         if (axis.Index < Axis.Real) Cam.Followers[axis.Index].Release(code);

@@ -4,7 +4,7 @@ namespace Engraver.Simulator.Motion;
 /// it makes the steps that are sent to it, and loses those that are sent while its shaft is blocked.</summary>
 internal sealed class Motor(TimeSpan lag)
 {
-    private const double AlmostThere = 0.01;
+    private const double SettledShare = 0.01;
 
     /// <summary>Fraction of its error by which a motor in a loop of the wrong sign moves further in a sample, and the counts that start this motion.</summary>
     private const double RunawayShare = 0.05;
@@ -45,7 +45,7 @@ internal sealed class Motor(TimeSpan lag)
         Lost = 0;
         if (IsHeld || isOff) return;
         Position += (commanded - Position) * _share;
-        if (Math.Abs(commanded - Position) < AlmostThere) Position = commanded;
+        if (Math.Abs(commanded - Position) < SettledShare) Position = commanded;
     }
 
     /// <summary>Moves for one sample away from the commanded position: the loop corrects every error in the wrong direction (motor or encoder reversed;

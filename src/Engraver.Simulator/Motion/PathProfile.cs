@@ -41,7 +41,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     public bool IsAtSpeed => Speed == Target;
 
     /// <summary>The next sample of a path with segments moves an axis.</summary>
-    public bool WantsToMove => Speed > 0 || IsStopping || Target > 0;
+    public bool IsDriving => Speed > 0 || IsStopping || Target > 0;
 
     private double Target => _commanded * SpeedRatio;
 
@@ -73,7 +73,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void EnterSegment() => _commanded = buffer.Current?.EntrySpeed ?? _commanded;
 
-    public void StandStill()
+    public void SetAtRest()
     {
         _steadySamples = 0;
         Speed = 0;

@@ -75,7 +75,3 @@ internal sealed class PathCourse : SteadyCourse
 
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }
-
-/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle changes from Start by the signed sweep,
-/// degrees.</summary>
-public readonly record struct ArcCourse(double CentreX, double CentreY, double RadiusX, double RadiusY, double StartDegrees, double SweepDegrees);

@@ -51,7 +51,7 @@ internal sealed class VectorPlane
     public double TrippointReference { get; set; }
 
     /// <summary>True when the next sample will move an axis.</summary>
-    public bool CanProgress => IsRunning && (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry || Profile.IsStopping : Profile.WantsToMove);
+    public bool CanProgress => IsRunning && (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry || Profile.IsStopping : Profile.IsDriving);
 
     public bool IsAtSpeed => IsRunning && Profile.IsAtSpeed;
 
@@ -161,7 +161,7 @@ internal sealed class VectorPlane
             var segment = Buffer.Current!;
             var used = Profile.Advance(segment, left, out var crossed);
             if (crossed) PassJoint(segment);
-            else if (Profile is { IsStopping: true, Speed: 0 }) EndHere(_stopCode);
+            else if (Profile is { IsStopping: true, Speed: 0 }) EndAtPresentPlace(_stopCode);
             if (used <= 0 || (crossed && !HasPath())) break;
             left -= used;
         }
@@ -204,13 +204,13 @@ internal sealed class VectorPlane
 
         if (Buffer.IsClosed || Profile.IsStopping)
         {
-            EndHere(Profile.IsStopping ? _stopCode : StopCode.VectorDone);
+            EndAtPresentPlace(Profile.IsStopping ? _stopCode : StopCode.VectorDone);
             return false;
         }
 
         Underruns += IsDry ? 0 : 1;
         IsDry = true;
-        Profile.StandStill();
+        Profile.SetAtRest();
         return false;
     }
 
@@ -221,7 +221,7 @@ internal sealed class VectorPlane
         Tangent.Follow(segment.TangentAt(segment.Length));
     }
 
-    private void EndHere(int code)
+    private void EndAtPresentPlace(int code)
     {
         MoveAxes();
         End(code);
@@ -245,7 +245,7 @@ internal sealed class VectorPlane
         IsRunning = false;
         Profile.IsStopping = false;
         IsDry = false;
-        Profile.StandStill();
+        Profile.SetAtRest();
         Buffer.Abandon();
         foreach (var axis in _axes) axis.LastStop = (int)axis.Position;
         MarkAxes(code);
@@ -260,12 +260,4 @@ internal sealed class VectorPlane
     public static int Rounded(double place) => (int)Math.Round(place, MidpointRounding.AwayFromZero);
 
     private int Scaled(int slot) => Rounded(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1));
-}
-
-/// <summary>The mode for which a plane was last set up.</summary>
-internal enum PlaneMode
-{
-    None,
-    Vector,
-    Linear,
 }

@@ -10,7 +10,7 @@ internal sealed class Handle
     private const int LongestCommand = 80;
     private readonly ICommandSink _sink;
     private readonly TextBuffer _command = new();
-    private readonly TextIntake _text;
+    private readonly TextReception _text;
     private int _length;
     private bool _quoted;
     private bool _swallowReturn;
@@ -19,7 +19,7 @@ internal sealed class Handle
     public Handle(int index, int localPort, int remotePort, ICommandSink sink)
     {
         (Index, LocalPort, RemotePort, _sink) = (index, localPort, remotePort, sink);
-        _text = new TextIntake(this, sink);
+        _text = new TextReception(this, sink);
     }
 
     public int Index { get; }
@@ -42,7 +42,7 @@ internal sealed class Handle
     public bool IsClosed { get; private set; }
 
     /// <summary>Sends answers as datagrams (UDP); null for a connection.</summary>
-    public DatagramSender? Datagrams { get; init; }
+    public SendDatagram? Datagrams { get; init; }
 
     public bool IsUdp => Datagrams is not null;
 
@@ -68,7 +68,7 @@ internal sealed class Handle
         {
             if (IsClosed) return;
 
-            if (_sink.Arrived(this, b)) Accept((char)b);
+            if (_sink.ByteReceived(this, b)) Accept((char)b);
         }
     }
 
@@ -184,7 +184,7 @@ internal sealed class Handle
         Commands++;
         if (reply.Length > 0) SendText(reply);
 
-        _sink.Answered(this, reply.Length);
+        _sink.ReplySent(this, reply.Length);
         if (_closeAfterReply) Close();
     }
 

@@ -18,10 +18,10 @@ internal interface ICommandSink
 
     /// <summary>Called for every byte received: on the serial line it takes its transmission time, is echoed and can interrupt the program.</summary>
     /// <returns>False when it is data for the program and not part of a command (CI).</returns>
-    bool Arrived(Handle handle, byte value);
+    bool ByteReceived(Handle handle, byte value);
 
     /// <summary>Called when the reply has been sent: advances time.</summary>
-    void Answered(Handle handle, int replyLength);
+    void ReplySent(Handle handle, int replyLength);
 
     /// <summary>Sends bytes to the client of a handle.</summary>
     void Deliver(Handle handle, ReadOnlySpan<byte> bytes);

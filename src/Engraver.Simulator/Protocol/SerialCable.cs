@@ -60,7 +60,7 @@ internal sealed class SerialCable : IDisposable
         {
             while (_terminal.WaitAndRead(buffer) is > 0 and var count)
             {
-                _setup.Heard?.Invoke(buffer.AsMemory(0, count), true);
+                _setup.Received?.Invoke(buffer.AsMemory(0, count), true);
                 _incoming.Write(buffer.AsSpan(0, count));
             }
         }
@@ -76,7 +76,7 @@ internal sealed class SerialCable : IDisposable
         _listenerEnded.TrySetResult();
     }
 
-    private TimeSpan ByteTime() => _core.Machine.Serial.CarriesAtOnce ? TimeSpan.Zero : _setup.ByteTime;
+    private TimeSpan ByteTime() => _core.Machine.Serial.IsInstant ? TimeSpan.Zero : _setup.ByteTime;
 
     private async Task ReceiveAsync(CancellationToken cancellation)
     {
@@ -107,7 +107,7 @@ internal sealed class SerialCable : IDisposable
             while (await _handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)
             {
                 await wire.PassAsync(count, cancellation).ConfigureAwait(false);
-                _setup.Heard?.Invoke(buffer.AsMemory(0, count), false);
+                _setup.Received?.Invoke(buffer.AsMemory(0, count), false);
                 for (var sent = 0; sent < count;)
                 {
                     sent += _terminal.Write(buffer.AsSpan(sent, count - sent));
@@ -131,6 +131,6 @@ internal sealed class SerialCable : IDisposable
 /// <param name="Baud">Bits per second in each direction.</param>
 /// <param name="ByteTime">Wall time of a byte; zero at speed max, where a byte takes only controller time.</param>
 /// <param name="Time">The wall clock.</param>
-/// <param name="Heard">Called with all bytes as they pass and a flag that is true for bytes from the host, on the threads that transfer them. Null for no
+/// <param name="Received">Called with all bytes as they pass and a flag that is true for bytes from the host, on the threads that transfer them. Null for no
 /// callback.</param>
-internal sealed record SerialLineSetup(string Path, int Baud, TimeSpan ByteTime, TimeProvider Time, Action<ReadOnlyMemory<byte>, bool>? Heard);
+internal sealed record SerialLineSetup(string Path, int Baud, TimeSpan ByteTime, TimeProvider Time, Action<ReadOnlyMemory<byte>, bool>? Received);

@@ -6,7 +6,7 @@ internal sealed class SerialPort
     /// <summary><c>_WH</c> of the port, which is not in the handle table (A.1).</summary>
     public const int HandleIndex = -1;
 
-    private volatile bool _carriesAtOnce;
+    private volatile bool _isInstant;
 
     /// <summary>EO: 1 is the factory setting; a reset restores the value burned by BN.</summary>
     public bool Echo { get; set; } = true;
@@ -18,10 +18,10 @@ internal sealed class SerialPort
     public TimeSpan ByteTime { get; private set; }
 
     /// <summary>True when bytes take no time on the line; can be read from any thread.</summary>
-    public bool CarriesAtOnce
+    public bool IsInstant
     {
-        get => _carriesAtOnce;
-        set => _carriesAtOnce = value;
+        get => _isInstant;
+        set => _isInstant = value;
     }
 
     /// <summary>Connects a client; returns null when a client is already connected.</summary>

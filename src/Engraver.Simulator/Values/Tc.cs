@@ -12,7 +12,7 @@ internal static class Tc
     public const int InputBufferFull = 5;
     public const int OutOfRange = 6;
     public const int NotWhileRunning = 7;
-    public const int NotWhileStanding = 8;
+    public const int NotWhileStopped = 8;
     public const int VariableError = 9;
     public const int UndefinedLabel = 10;
     public const int InvalidLine = 11;
@@ -133,11 +133,4 @@ internal static class Tc
     }.ToFrozenDictionary();
 
     public static string TextOf(int code) => code == 0 ? "No error" : Texts.GetValueOrDefault(code, "Undefined error");
-}
-
-/// <summary>Ends the execution of one command with a TC code. Thrown anywhere in the interpreter and caught in exactly two places: at the end of a host command
-/// and at the end of a program line.</summary>
-internal sealed class CommandRefusedException(int code) : Exception(Tc.TextOf(code))
-{
-    public int Code { get; } = code;
 }

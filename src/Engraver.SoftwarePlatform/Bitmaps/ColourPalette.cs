@@ -4,7 +4,7 @@ namespace Engraver.SoftwarePlatform.Bitmaps;
 /// substitute.</summary>
 internal sealed class ColourPalette
 {
-    public const int MostColours = 256;
+    public const int MaxColours = 256;
     private const int Frequent = 160;
     private readonly Dictionary<uint, byte> _places = [];
     private readonly List<uint> _colours = [];
@@ -12,9 +12,9 @@ internal sealed class ColourPalette
     private ColourPalette(Dictionary<uint, int> counts)
     {
         var byCount = counts.OrderByDescending(colour => colour.Value).ThenBy(colour => colour.Key).Select(colour => colour.Key).ToList();
-        _colours.AddRange(byCount.Take(counts.Count <= MostColours ? MostColours : Frequent));
+        _colours.AddRange(byCount.Take(counts.Count <= MaxColours ? MaxColours : Frequent));
         var distances = byCount.Select(colour => (Colour: colour, Distance: _colours.Min(chosen => Distance(chosen, colour)))).ToArray();
-        while (_colours.Count < Math.Min(MostColours, counts.Count)) AddFarthest(distances);
+        while (_colours.Count < Math.Min(MaxColours, counts.Count)) AddFarthest(distances);
         for (var i = 0; i < _colours.Count; i++) _places[_colours[i]] = (byte)i;
     }
 

@@ -47,13 +47,3 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
         _ => false,
     };
 }
-
-/// <summary>Colour types, by their numbers in the file.</summary>
-internal enum PngColorType
-{
-    Gray = 0,
-    TrueColor = 2,
-    Palette = 3,
-    GrayWithAlpha = 4,
-    TrueColorWithAlpha = 6,
-}

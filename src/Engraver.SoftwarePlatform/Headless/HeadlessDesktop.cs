@@ -16,7 +16,7 @@ public sealed class HeadlessDesktop
     private static readonly TimeSpan s_shortestWait = TimeSpan.FromMilliseconds(1);
     private ImmutableList<HeadlessWindow> _windows = [];
     private SoftwareDispatcher? _dispatcher;
-    private HandFiredTimer? _frames;
+    private ManualRenderTimer? _frames;
     private MemoryClipboard? _clipboard;
     private nint _lastHandle;
 
@@ -72,7 +72,7 @@ public sealed class HeadlessDesktop
         }
     }
 
-    internal void Attach(SoftwareDispatcher dispatcher, HandFiredTimer frames, MemoryClipboard clipboard)
+    internal void Attach(SoftwareDispatcher dispatcher, ManualRenderTimer frames, MemoryClipboard clipboard)
     {
         if (_dispatcher is not null) throw new InvalidOperationException("A desktop serves one application.");
         _dispatcher = dispatcher;
@@ -98,8 +98,8 @@ public sealed class HeadlessDesktop
         if (ActiveWindow == window) return;
         var before = ActiveWindow;
         ActiveWindow = window;
-        before?.TellFocus(false);
-        window?.TellFocus(true);
+        before?.RaiseFocusChanged(false);
+        window?.RaiseFocusChanged(true);
     }
 
     private void Draw()

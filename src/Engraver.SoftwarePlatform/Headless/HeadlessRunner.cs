@@ -26,9 +26,9 @@ public sealed class HeadlessRunner : IDisposable
     private Dispatcher Ui => _dispatcher ?? throw new InvalidOperationException("The application is not set up.");
 
     /// <summary>Runs the action on the user interface thread and waits for it. Its exceptions are thrown here.</summary>
-    public void Run(Action done) => Ui.Invoke(done);
+    public void Run(Action action) => Ui.Invoke(action);
 
-    public T Run<T>(Func<T> done) => Ui.Invoke(done);
+    public T Run<T>(Func<T> action) => Ui.Invoke(action);
 
     public Task RunAsync(Func<Task> done, CancellationToken cancellation = default) => Ui.InvokeAsync(done).WaitAsync(cancellation);
 

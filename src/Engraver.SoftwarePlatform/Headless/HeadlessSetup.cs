@@ -14,7 +14,7 @@ internal static class HeadlessSetup
         var dispatcher = new SoftwareDispatcher(desktop.Time);
         Dispatcher.InitializeUIThreadDispatcher(dispatcher);
         var seat = new Seat(gate, new SingleScreen(() => desktop.ScreenSize, () => scale), desktop.Time);
-        var frames = new HandFiredTimer(desktop.Time);
+        var frames = new ManualRenderTimer(desktop.Time);
         var clipboard = new MemoryClipboard();
         desktop.Attach(dispatcher, frames, clipboard);
         PlatformServices.Bind(seat, frames, clipboard, () => new HeadlessWindow(desktop, seat, scale));
@@ -22,7 +22,7 @@ internal static class HeadlessSetup
 }
 
 /// <summary>A render timer whose frames are triggered by a call.</summary>
-internal sealed class HandFiredTimer(TimeProvider time) : IRenderTimer
+internal sealed class ManualRenderTimer(TimeProvider time) : IRenderTimer
 {
     private readonly long _start = time.GetTimestamp();
 

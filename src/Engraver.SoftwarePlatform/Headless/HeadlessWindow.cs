@@ -89,7 +89,7 @@ public sealed class HeadlessWindow : SoftwareWindow
     }
 
     /// <summary>Asks the window to close, as its title bar's button does.</summary>
-    public void AskToClose()
+    public void RequestClose()
     {
         if (Closing?.Invoke(WindowCloseReason.WindowClosing) != true) Dispose();
         _desktop.Step();
@@ -195,7 +195,7 @@ public sealed class HeadlessWindow : SoftwareWindow
         return effects;
     }
 
-    internal void TellFocus(bool has)
+    internal void RaiseFocusChanged(bool has)
     {
         Dispatcher.UIThread.Post(() => (has ? Activated : LosingFocus)?.Invoke(), DispatcherPriority.Input);
     }

@@ -16,13 +16,13 @@ internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
     public bool Admits(Key key, KeyModifiers modifiers, bool isDown)
     {
         bool repeat;
-        lock (_gate) repeat = Held(key, isDown);
+        lock (_gate) repeat = IsRepeat(key, isDown);
         if (filter is null) return true;
         var press = new KeyPress(key, modifiers, isDown, repeat);
         return !Guarded(() => filter(press));
     }
 
-    private bool Held(Key key, bool isDown)
+    private bool IsRepeat(Key key, bool isDown)
     {
         if (isDown) return !_held.Add(key) && key != Key.None;
         _held.Remove(key);

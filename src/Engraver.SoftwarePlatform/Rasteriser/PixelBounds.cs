@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <summary>Rectangle of whole device pixels; right and bottom are outside.</summary>
 internal readonly record struct PixelBounds(int Left, int Top, int Right, int Bottom)
 {
-    private const double Farthest = 1e8;
+    private const double MaxCoordinate = 1e8;
 
     public int Width => Right - Left;
 
@@ -38,5 +38,5 @@ internal readonly record struct PixelBounds(int Left, int Top, int Right, int Bo
 
     public static int Nearest(double value) => (int)Math.Floor(Within(value) + 0.5);
 
-    private static double Within(double value) => double.IsNaN(value) ? 0 : Math.Clamp(value, -Farthest, Farthest);
+    private static double Within(double value) => double.IsNaN(value) ? 0 : Math.Clamp(value, -MaxCoordinate, MaxCoordinate);
 }

@@ -5,7 +5,7 @@ internal ref struct RunGatherer<TSink>(Span<byte> cells, int y, int origin)
     where TSink : struct, ICoverageSink
 {
     /// <summary>Equal coverage at least this long is given as a run of its own.</summary>
-    private const int ShortestRun = 16;
+    private const int MinRunLength = 16;
 
     private readonly Span<byte> _cells = cells;
     private int _start;
@@ -17,7 +17,7 @@ internal ref struct RunGatherer<TSink>(Span<byte> cells, int y, int origin)
     {
         if (right <= left)
             return;
-        var isShort = right - left < ShortestRun;
+        var isShort = right - left < MinRunLength;
         if (coverage == 0 || !isShort)
             Flush(ref sink);
         if (coverage == 0)

@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Text;
 internal sealed class FontFile
 {
     private const uint CollectionTag = 0x74746366;
-    private const int MostFaces = 1024;
+    private const int MaxFaces = 1024;
 
     private readonly IFontSource _source;
     private readonly Dictionary<uint, (uint Offset, uint Length)> _places = [];
@@ -31,7 +31,7 @@ internal sealed class FontFile
     public static int CountFaces(IFontSource source)
     {
         var header = new FontBytes(source.Read(0, 12));
-        return header.UInt32(0) == CollectionTag ? (int)Math.Min(header.UInt32(8), MostFaces) : 1;
+        return header.UInt32(0) == CollectionTag ? (int)Math.Min(header.UInt32(8), MaxFaces) : 1;
     }
 
     public bool Has(string name) => _places.ContainsKey(Tag(name));

@@ -3,7 +3,7 @@ namespace Engraver.SoftwarePlatform.Text;
 /// <summary>The folders in which fonts are installed, and the font files there.</summary>
 internal static class FontFolders
 {
-    private static readonly string[] s_endings = [".ttf", ".otf", ".ttc", ".otc"];
+    private static readonly string[] s_extensions = [".ttf", ".otf", ".ttc", ".otc"];
 
     /// <summary>The usual folders of a Linux system and of its user; those that do not exist are left out later.</summary>
     public static IReadOnlyList<string> Standard
@@ -22,6 +22,6 @@ internal static class FontFolders
         return folders
             .Where(Directory.Exists)
             .SelectMany(folder => Directory.EnumerateFiles(folder, "*", options).Order(StringComparer.Ordinal))
-            .Where(path => s_endings.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase));
+            .Where(path => s_extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase));
     }
 }

@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Text;
 /// <summary>Caches the masks of one typeface. Drops all when they become too many.</summary>
 internal sealed class GlyphMasks(SoftwareTypeface typeface)
 {
-    private const int MostBytes = 8 << 20;
+    private const int MaxBytes = 8 << 20;
 
     private readonly ConcurrentDictionary<(ushort Glyph, int Size, int Step, TextTone Tone), GlyphMask?> _masks = new();
     private int _bytes;
@@ -21,7 +21,7 @@ internal sealed class GlyphMasks(SoftwareTypeface typeface)
         if (_masks.TryGetValue(key, out var known))
             return known;
         var mask = Make(glyph, size, step, tone);
-        if (Interlocked.Add(ref _bytes, 64 + (mask?.Bytes ?? 0)) > MostBytes)
+        if (Interlocked.Add(ref _bytes, 64 + (mask?.Bytes ?? 0)) > MaxBytes)
         {
             _masks.Clear();
             Interlocked.Exchange(ref _bytes, 0);
@@ -44,28 +44,4 @@ internal sealed class GlyphMasks(SoftwareTypeface typeface)
         tone.Apply(cells);
         return new GlyphMask(bounds, cells);
     }
-}
-
-/// <summary>Coverage of a glyph around its origin.</summary>
-internal sealed class GlyphMask(PixelBounds bounds, byte[] cells)
-{
-    public PixelBounds Bounds => bounds;
-
-    public int Bytes => cells.Length;
-
-    public ReadOnlySpan<byte> Row(int y) => cells.AsSpan((y - bounds.Top) * bounds.Width, bounds.Width);
-}
-
-/// <summary>Size and position of a glyph, as far as its mask depends on them.</summary>
-internal static class GlyphSize
-{
-    /// <summary>Glyphs are positioned in quarters of a pixel.</summary>
-    public const int StepsPerPixel = 4;
-
-    private const double PartsPerPixel = 64;
-
-    /// <summary>Pixels per em in 1/64.</summary>
-    public static int ToParts(double pixelsPerEm) => (int)Math.Round(pixelsPerEm * PartsPerPixel);
-
-    public static double PixelsPerEm(int size) => size / PartsPerPixel;
 }

@@ -35,7 +35,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Read(file));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
-        TryOut(GlyphTypeface, file);
+        Validate(GlyphTypeface, file);
         FamilyName = GlyphTypeface.FamilyName;
         Weight = GlyphTypeface.Weight;
         Style = GlyphTypeface.Style;
@@ -121,7 +121,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 
     /// <summary>Reads some characters and widths immediately, because Avalonia's reader detects broken tables only then, and during drawing it would be too
     /// late.</summary>
-    private static void TryOut(GlyphTypeface typeface, FontFile file)
+    private static void Validate(GlyphTypeface typeface, FontFile file)
     {
         foreach (var character in (ReadOnlySpan<int>)[' ', 'A', 0x4E2D, 0xFFFF, 0x1F600])
             _ = typeface.CharacterToGlyphMap[character];

@@ -24,15 +24,3 @@ internal sealed class MemoryClipboard : IOwnedClipboardImpl
 
     public Task<bool> IsCurrentOwnerAsync() => Task.FromResult(_data is not null);
 }
-
-/// <summary>A reader's view of data that stays on the clipboard: disposing the view leaves the data alone.</summary>
-internal sealed class SharedDataTransfer(IAsyncDataTransfer data) : IAsyncDataTransfer
-{
-    public IReadOnlyList<DataFormat> Formats => data.Formats;
-
-    public IReadOnlyList<IAsyncDataTransferItem> Items => data.Items;
-
-    public void Dispose()
-    {
-    }
-}

@@ -8,18 +8,18 @@ internal sealed class MountedVolumes : IMountedVolumeInfoProvider
 {
     public IDisposable Listen(ObservableCollection<MountedVolumeInfo> mountedDrives)
     {
-        foreach (var drive in DriveInfo.GetDrives().Where(IsForPeople))
+        foreach (var drive in DriveInfo.GetDrives().Where(IsUserDrive))
         {
             mountedDrives.Add(new MountedVolumeInfo { VolumeLabel = drive.Name, VolumePath = drive.Name, VolumeSizeBytes = 0 });
         }
 
-        return new Nothing();
+        return new NoSubscription();
     }
 
-    private static bool IsForPeople(DriveInfo drive) =>
+    private static bool IsUserDrive(DriveInfo drive) =>
         drive.Name == "/" || drive.Name.StartsWith("/media/", StringComparison.Ordinal) || drive.Name.StartsWith("/mnt/", StringComparison.Ordinal);
 
-    private sealed class Nothing : IDisposable
+    private sealed class NoSubscription : IDisposable
     {
         public void Dispose()
         {

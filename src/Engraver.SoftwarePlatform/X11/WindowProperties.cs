@@ -76,7 +76,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
     }
 
     /// <summary>Requests the focus from the window manager; without a window manager, takes it.</summary>
-    public void AskForFocus()
+    public void RequestFocus()
     {
         const nint fromApplication = 1;
         const int toParent = 2;

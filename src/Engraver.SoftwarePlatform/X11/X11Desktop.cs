@@ -30,8 +30,8 @@ internal sealed unsafe class X11Desktop
         Atoms = new XAtoms(_input.Display);
         Keyboard = new X11Keyboard(_input);
         Events = new XEventThread(_input, Handle, lost);
-        XErrors.WhenLost(_input, Events.TellLost);
-        XErrors.WhenLost(Drawing, Events.TellLost);
+        XErrors.WhenLost(_input, Events.ReportLoss);
+        XErrors.WhenLost(Drawing, Events.ReportLoss);
         _helper = MakeHelperWindow();
         Owner = new SelectionOwner(_input, Atoms, _helper);
         ClipboardReader = new SelectionReader(_input, _helper, Atoms.Clipboard, Atoms.Delivery, Atoms.Incr);

@@ -37,7 +37,7 @@ internal sealed class X11Window : SoftwareWindow
     public override WindowState WindowState
     {
         get => _state;
-        set => AskForState(value);
+        set => RequestState(value);
     }
 
     private nint Id => _events.Handle;
@@ -94,7 +94,7 @@ internal sealed class X11Window : SoftwareWindow
     {
         ComeToFront();
         Xlib.XRaiseWindow(_desktop.Drawing.Display, Id);
-        if (_shown) _properties.AskForFocus();
+        if (_shown) _properties.RequestFocus();
         _desktop.Drawing.Flush();
     }
 
@@ -178,7 +178,7 @@ internal sealed class X11Window : SoftwareWindow
         WindowStateChanged?.Invoke(state);
     }
 
-    internal void OnCloseAsked()
+    internal void OnCloseRequested()
     {
         if (_open && Closing?.Invoke(WindowCloseReason.WindowClosing) != true) Dispose();
     }
@@ -196,7 +196,7 @@ internal sealed class X11Window : SoftwareWindow
 
     private protected override void Present(WindowFrame frame) => _presenter.Send(frame);
 
-    private void AskForState(WindowState state)
+    private void RequestState(WindowState state)
     {
         if (state == _state) return;
         var before = _state;

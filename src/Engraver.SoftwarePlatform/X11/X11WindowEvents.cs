@@ -166,7 +166,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
     private void OnProtocol(ref XEvent received)
     {
         var protocol = (nint)received.Data[0];
-        if (protocol == desktop.Atoms.WmDeleteWindow) Queue(window.OnCloseAsked);
+        if (protocol == desktop.Atoms.WmDeleteWindow) Queue(window.OnCloseRequested);
         if (protocol == desktop.Atoms.NetWmPing)
             input.SendMessage(input.Root, input.Root, desktop.Atoms.WmProtocols, XEventMask.ToWindowManager, protocol, (nint)received.Data[1], (nint)received.Data[2]);
     }

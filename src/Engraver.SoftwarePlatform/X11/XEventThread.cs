@@ -14,7 +14,7 @@ internal sealed unsafe class XEventThread
     private readonly ConcurrentQueue<Action> _posted = new();
     private readonly Thread _thread;
     private readonly int _wake = Libc.eventfd(0, CloseOnExecNonBlocking);
-    private int _lostTold;
+    private int _lossReported;
 
     /// <param name="connection">Used by this thread only.</param>
     /// <param name="handle">Called for every event.</param>
@@ -27,7 +27,7 @@ internal sealed unsafe class XEventThread
         _thread = new Thread(Run) { IsBackground = true, Name = "X11 input" };
     }
 
-    public bool IsLost => Volatile.Read(ref _lostTold) != 0;
+    public bool IsLost => Volatile.Read(ref _lossReported) != 0;
 
     public void Start() => _thread.Start();
 
@@ -49,9 +49,9 @@ internal sealed unsafe class XEventThread
     }
 
     /// <summary>May be called from any thread that notices the loss.</summary>
-    public void TellLost()
+    public void ReportLoss()
     {
-        if (Interlocked.Exchange(ref _lostTold, 1) == 0) _lost();
+        if (Interlocked.Exchange(ref _lossReported, 1) == 0) _lost();
     }
 
     private void Run()
@@ -88,11 +88,11 @@ internal sealed unsafe class XEventThread
     private void Wait()
     {
         var watched = stackalloc Libc.PollFd[2];
-        watched[0] = new Libc.PollFd { Descriptor = _wake, Asked = Libc.PollIn };
-        watched[1] = new Libc.PollFd { Descriptor = Xlib.XConnectionNumber(_connection.Display), Asked = Libc.PollIn };
+        watched[0] = new Libc.PollFd { Descriptor = _wake, Events = Libc.PollIn };
+        watched[1] = new Libc.PollFd { Descriptor = Xlib.XConnectionNumber(_connection.Display), Events = Libc.PollIn };
         Libc.poll(watched, IsLost ? 1u : 2u, -1);
-        if ((watched[1].Answered & Libc.PollGone) != 0) TellLost();
+        if ((watched[1].ReturnedEvents & Libc.PollGone) != 0) ReportLoss();
         long count;
-        if (watched[0].Answered != 0) Libc.read(_wake, &count, sizeof(long));
+        if (watched[0].ReturnedEvents != 0) Libc.read(_wake, &count, sizeof(long));
     }
 }

@@ -9,13 +9,13 @@ namespace Engraver.Workbench.Certificates;
 /// with, <c>part.agie.certificate.json</c> and similar names for other targets.</summary>
 public static class CertificateFile
 {
-    public const string Ending = ".certificate.json";
+    public const string FileExtension = ".certificate.json";
 
     /// <summary>The default path.</summary>
     /// <param name="target">Name of the post.</param>
     /// <param name="dialect">The kind of controller; null for the default.</param>
     public static string PathOf(string drawing, string target, string? dialect = null) =>
-        Path.ChangeExtension(drawing, null) + (target == PostTable.All[0].Post.Name ? "" : $".{target}") + (dialect is null ? "" : $"-{dialect}") + Ending;
+        Path.ChangeExtension(drawing, null) + (target == PostTable.All[0].Post.Name ? "" : $".{target}") + (dialect is null ? "" : $"-{dialect}") + FileExtension;
 
     /// <summary>Writes the file atomically.</summary>
     /// <exception cref="IOException">The path cannot be written.</exception>
@@ -38,7 +38,7 @@ public static class CertificateFile
         }
         catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
         {
-            return (null, SystemReason.Of(unusable));
+            return (null, SystemErrorText.FromException(unusable));
         }
     }
 }

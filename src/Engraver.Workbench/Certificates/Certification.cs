@@ -21,17 +21,17 @@ public static class Certification
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     /// <exception cref="ArgumentException">There is no reader for this target.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static async Task<Certified> CertifyAsync(CertificationRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public static async Task<CertificationResult> CertifyAsync(CertificationRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
         var reader = request.Reader ?? throw new ArgumentException($"Nothing reads programs of {post.Name}.", nameof(request));
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
         var (posted, fitted) = Posted(request, job);
-        if (posted.Text is not { } text) return new Certified(null, posted.Diagnostics) { WithoutProgram = posted.WithoutProgram };
-        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, (request.Posted ?? PostedWith.Defaults) with { Fitted = fitted }).ConfigureAwait(false);
+        if (posted.Text is not { } text) return new CertificationResult(null, posted.Diagnostics) { NoProgramReason = posted.NoProgramReason };
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, (request.PostParameters ?? PostParameters.Defaults) with { FittedProgram = fitted }).ConfigureAwait(false);
         IReadOnlyList<Diagnostic> findings = [.. posted.Diagnostics, .. report.Diagnostics];
-        return new Certified(Certificate(request, job, fitted, text, report, findings), findings);
+        return new CertificationResult(Certificate(request, job, fitted, text, report, findings), findings);
     }
 
     /// <summary>The identity of the job of a request. Its program is the given one, or the one that would be posted now.</summary>
@@ -59,7 +59,7 @@ public static class Certification
 
     private static JobCertificate Certificate(CertificationRequest request, PreparedJob job, MotionProgram? fitted, string text, VerificationReport report, IReadOnlyList<Diagnostic> findings)
     {
-        var (machine, words) = (request.Settings.Machine, SettingWords.Of(request.Settings.AsOpened(request.Drawing)));
+        var (machine, words) = (request.Settings.Machine, SettingValues.Of(request.Settings.AsOpened(request.Drawing)));
         return new JobCertificate
         {
             Issued = request.Now,
@@ -73,7 +73,7 @@ public static class Certification
             Tolerance = report.ToleranceMm,
             MissingLength = report.MissingLengthMm,
             ExtraLength = report.ExtraLengthMm,
-            Limits = Limits(job, request.Reader is { TellsHeights: true }),
+            Limits = Limits(job, request.Reader is { ReportsHeights: true }),
             PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Strategy).Total,
             Findings = [.. findings.OrderByDescending(found => found.Severity).Select(Finding)],
         };
@@ -86,11 +86,11 @@ public static class Certification
         var (x, y) = (Length(axes.X), Length(axes.Y));
         var limits = new CertifiedLimits(box.MinX, box.MinY, box.MaxX, box.MaxY, x, y, !(box.Width > x) && !(box.Height > y));
         if (!tellsHeights || axes.Z is not { } axis || job.Motion.Program is not { } program || MotionExtents.Of(program).Heights(program.Profile, dryRun: false) is not { } heights) return limits;
-        var (one, other, z) = (axis.Scale.ToMillimetres(heights.Least), axis.Scale.ToMillimetres(heights.Most), Length(axis));
+        var (one, other, z) = (axis.Scale.ToMillimetres(heights.Min), axis.Scale.ToMillimetres(heights.Max), Length(axis));
         return limits with { MinZ = Math.Min(one, other), MaxZ = Math.Max(one, other), TravelZ = z, Fits = limits.Fits && !(Math.Abs(one - other) > z) };
     }
 
-    private static double? Length(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
+    private static double? Length(MachineAxis axis) => axis.Travel is { } travel ? travel.Max - travel.Min : null;
 
     private static CertifiedFinding Finding(Diagnostic found) =>
         new(found.Id, found.Severity.ToString().ToLower(CultureInfo.InvariantCulture), found.Source.Line > 0 ? (int)found.Source.Line : null, found.Sentence);
@@ -98,44 +98,11 @@ public static class Certification
     private static string ProgramVersion => typeof(Certification).Assembly.GetName().Version?.ToString(3) ?? "";
 }
 
-/// <summary>What is to be certified.</summary>
-/// <param name="Drawing">The drawing as read.</param>
-/// <param name="DrawingHash">Hash of its file, taken before reading: if the file changes meanwhile, the certificate is stale.</param>
-/// <param name="Target">An entry whose programs can be read back.</param>
-/// <param name="Now">The date of the certificate.</param>
-public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, DrawingSettings Settings, PostEntry Target, DateTimeOffset Now)
-{
-    /// <summary>An existing program with its file name; null: it is posted now.</summary>
-    public (string File, string Text)? Program { get; init; }
-
-    /// <summary>Post parameters of that program that affect its verification; null for the defaults.</summary>
-    public PostedWith? Posted { get; init; }
-
-    /// <summary>The kind of controller that the program is written for and by whose rules it is read back; null for the default of the target.</summary>
-    public string? Dialect { get; init; }
-
-    /// <summary>The reader of the target and the dialect; null if there is none.</summary>
-    internal IProgramReader? Reader => Dialect is null ? Target.Reader : Target.Dialects[Dialect];
-
-    /// <summary>Post options that affect the program.</summary>
-    public IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
-
-    /// <summary>The link to the machine, which may limit the feed; null for none.</summary>
-    public ControllerAddress? Address { get; init; }
-
-    /// <summary>How the machine runs it; the driver's default where it is not set.</summary>
-    public ExecutionStrategy Strategy
-    {
-        get => field ?? MachineFamilies.DriverOf(Settings.Machine).DefaultStrategy;
-        init;
-    }
-}
-
 /// <summary>Result of a certification.</summary>
 /// <param name="Certificate">Null when there is no program.</param>
 /// <param name="Diagnostics">Findings of all stages, the post and the reader.</param>
-public sealed record Certified(JobCertificate? Certificate, IReadOnlyList<Diagnostic> Diagnostics)
+public sealed record CertificationResult(JobCertificate? Certificate, IReadOnlyList<Diagnostic> Diagnostics)
 {
     /// <summary>Why there is no program, without a full stop.</summary>
-    public string WithoutProgram { get; init; } = "";
+    public string NoProgramReason { get; init; } = "";
 }

@@ -11,7 +11,7 @@ namespace Engraver.Workbench.Certificates;
 
 /// <summary>Identity of a job: hashes of the drawing's bytes, of the machine profile and of the program, and the settings themselves.</summary>
 /// <param name="Drawing">SHA-256 of the drawing's file; null if the file cannot be read.</param>
-/// <param name="Settings">As in <see cref="SettingWords"/>.</param>
+/// <param name="Settings">As in <see cref="SettingValues"/>.</param>
 /// <param name="Profile">SHA-256 of the profile in its full form: an omitted field equals one with the default value.</param>
 /// <param name="Target">Name of the post.</param>
 /// <param name="Program">SHA-256 of the program's text; computed on demand, null when there is none.</param>
@@ -29,7 +29,7 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(post);
         var sent = job with { Motion = job.Motion with { Program = program } };
-        return Of(job.Drawing.FileName, job.Followed is null ? job.Recorded : job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
+        return Of(job.Drawing.FileName, job.Trajectories is null ? job.Recorded : job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
     }
 
     /// <summary>Identity of a posted program.</summary>
@@ -43,7 +43,7 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
     }
 
     private static JobIdentity Of(string drawing, DrawingSettings settings, string target, Func<string?> program) =>
-        new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
+        new JobIdentity(ContentHash.OfFile(drawing), SettingValues.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
 
     /// <summary>The differences: <c>drawing</c>, keys of settings, <c>profile</c>.</summary>
     public IReadOnlyList<string> Differences(string? drawing, IReadOnlyDictionary<string, string> settings, string? profile)

@@ -8,44 +8,30 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <param name="Measure">Turns the vector from the first point to the second, drawing units, into the amount.</param>
 public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Measure) : ValuePrompt<Amount>(Instruction)
 {
-    public required double Least { get; init; }
+    public required double Min { get; init; }
 
-    public required double Most { get; init; }
+    public required double Max { get; init; }
 
     /// <summary>First point of the measured vector, drawing units; null: the entered point is the first one, and the second is asked next.</summary>
     public Point2D? From { get; init; }
 
-    /// <summary>Preview for a cursor position (<see cref="PointAim.Ghost"/>).</summary>
-    public GhostOf? Ghost { get; init; }
+    /// <summary>Preview for a cursor position (<see cref="PointRequest.Ghost"/>).</summary>
+    public GhostFunction? Ghost { get; init; }
 
-    public override PointAim Aim => new(PointUse.Place, From) { Ghost = Ghost };
+    public override PointRequest PointRequest => new(PointPurpose.Place, From) { Ghost = Ghost };
 
-    public override Reading<Amount> Read(string typed, Point2D lastPoint)
+    public override ParsedInput<Amount> Parse(string typed, Point2D lastPoint)
     {
         ArgumentNullException.ThrowIfNull(typed);
-        if (NumberPrompt.TryNumber(typed, out _)) return Within(typed);
-        if (new PointPrompt(Instruction).Read(typed, lastPoint) is not Reading<Point2D>.Value { Of: var place }) return new Reading<Amount>.Wrong(Wording.Get("AmountPrompt.NotANumberOrPoint", typed));
-        return From is { } from ? Within(Measure(place - from).ToString("R", CultureInfo.InvariantCulture)) : new Reading<Amount>.Value(new Amount.Beginning(place));
+        if (NumberPrompt.TryParse(typed, out _)) return Within(typed);
+        if (new PointPrompt(Instruction).Parse(typed, lastPoint) is not ParsedInput<Point2D>.Value { Result: var place }) return new ParsedInput<Amount>.Invalid(Wording.Get("AmountPrompt.NotANumberOrPoint", typed));
+        return From is { } from ? Within(Measure(place - from).ToString("R", CultureInfo.InvariantCulture)) : new ParsedInput<Amount>.Value(new Amount.FirstPoint(place));
     }
 
-    private Reading<Amount> Within(string number) => new NumberPrompt(Instruction) { Least = Least, Most = Most }.Read(number, default) switch
+    private ParsedInput<Amount> Within(string number) => new NumberPrompt(Instruction) { Min = Min, Max = Max }.Parse(number, default) switch
     {
-        Reading<double>.Value value => new Reading<Amount>.Value(new Amount.Number(value.Of)),
-        Reading<double>.Wrong wrong => new Reading<Amount>.Wrong(wrong.Sentence),
+        ParsedInput<double>.Value value => new ParsedInput<Amount>.Value(new Amount.Number(value.Result)),
+        ParsedInput<double>.Invalid wrong => new ParsedInput<Amount>.Invalid(wrong.Message),
         _ => throw new System.Diagnostics.UnreachableException(),
     };
-}
-
-/// <summary>The answer to the prompt.</summary>
-public abstract record Amount
-{
-    private Amount()
-    {
-    }
-
-    /// <summary>In the unit of the prompt: degrees, a length in drawing units, a factor.</summary>
-    public sealed record Number(double Of) : Amount;
-
-    /// <summary>The first point of the measured vector, drawing units.</summary>
-    public sealed record Beginning(Point2D At) : Amount;
 }

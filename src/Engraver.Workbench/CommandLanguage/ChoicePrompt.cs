@@ -7,6 +7,6 @@ public sealed record ChoicePrompt(string Instruction) : ValuePrompt<string>(Inst
 {
     public override bool OnlyOptions => true;
 
-    public override Reading<string> Read(string typed, Point2D lastPoint) =>
-        new Reading<string>.Wrong(Wording.Get("ChoicePrompt.NotAnOption", typed, string.Join(", ", Options.Select(option => option.Shown))));
+    public override ParsedInput<string> Parse(string typed, Point2D lastPoint) =>
+        new ParsedInput<string>.Invalid(Wording.Get("ChoicePrompt.NotAnOption", typed, string.Join(", ", Options.Select(option => option.Shown))));
 }

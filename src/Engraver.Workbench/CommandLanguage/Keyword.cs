@@ -9,19 +9,19 @@ namespace Engraver.Workbench.CommandLanguage;
 public sealed record Keyword(string Name)
 {
     /// <summary>Set if another language has a different word for this use of the name: its text is <c>Keyword/Name.Use</c>.</summary>
-    public string? Use { get; init; }
+    public string? Context { get; init; }
 
     /// <summary>The name in the current language.</summary>
-    public string Shown => LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(nameof(Keyword), Use is null ? Name : $"{Name}.{Use}") ?? Name;
+    public string Shown => LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(nameof(Keyword), Context is null ? Name : $"{Name}.{Context}") ?? Name;
 
     /// <summary>The capital letters and digits of its English name.</summary>
-    public string Short => ShortOf(Name);
+    public string Abbreviation => AbbreviationOf(Name);
 
     /// <summary>True for the capitals of the English name, the whole word, and every prefix that includes the last capital; case-insensitive.</summary>
-    public bool Means(string typed)
+    public bool Matches(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
-        return Means(Name, typed);
+        return Matches(Name, typed);
     }
 
     /// <summary>The typed option, in the current language before English: a whole word before an abbreviation, an abbreviation before a prefix; null if none
@@ -35,7 +35,7 @@ public sealed record Keyword(string Name)
     }
 
     /// <summary>The displayed text of a default: an option in the current language, other text unchanged.</summary>
-    public static string ShowDefault(IReadOnlyList<Keyword> options, string standard) => TextCatalogue.Fact(options.FirstOrDefault(option => option.Name == standard)?.Shown ?? standard);
+    public static string FormatDefault(IReadOnlyList<Keyword> options, string standard) => TextCatalogue.Fact(options.FirstOrDefault(option => option.Name == standard)?.Shown ?? standard);
 
     /// <summary>Options from their English spellings.</summary>
     public static IReadOnlyList<Keyword> List(params ReadOnlySpan<string> names)
@@ -47,16 +47,16 @@ public sealed record Keyword(string Name)
 
     private static Keyword? Find(IReadOnlyList<Keyword> options, string typed, Func<Keyword, string> spelling) =>
         options.FirstOrDefault(option => spelling(option).Equals(typed, StringComparison.OrdinalIgnoreCase))
-        ?? options.FirstOrDefault(option => ShortOf(spelling(option)) is { Length: > 0 } letters && letters.Equals(typed, StringComparison.OrdinalIgnoreCase))
-        ?? options.FirstOrDefault(option => Means(spelling(option), typed));
+        ?? options.FirstOrDefault(option => AbbreviationOf(spelling(option)) is { Length: > 0 } letters && letters.Equals(typed, StringComparison.OrdinalIgnoreCase))
+        ?? options.FirstOrDefault(option => Matches(spelling(option), typed));
 
-    private static bool Means(string spelling, string typed)
+    private static bool Matches(string spelling, string typed)
     {
-        var letters = ShortOf(spelling);
+        var letters = AbbreviationOf(spelling);
         if (typed.Equals(letters, StringComparison.OrdinalIgnoreCase)) return true;
         var least = 1 + spelling.LastIndexOfAny([.. letters]);
         return typed.Length >= Math.Max(1, least) && spelling.StartsWith(typed, StringComparison.OrdinalIgnoreCase);
     }
 
-    private static string ShortOf(string spelling) => string.Concat(spelling.Where(letter => char.IsUpper(letter) || char.IsAsciiDigit(letter)));
+    private static string AbbreviationOf(string spelling) => string.Concat(spelling.Where(letter => char.IsUpper(letter) || char.IsAsciiDigit(letter)));
 }

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <summary>Asks for a word or a file name. If spaces end an answer (in a script), double quotes keep it together.</summary>
 public sealed record TextPrompt(string Instruction) : ValuePrompt<string>(Instruction)
 {
-    public override bool TakesSpaces => true;
+    public override bool AllowsSpaces => true;
 
-    public override Reading<string> Read(string typed, Point2D lastPoint) => new Reading<string>.Value(typed);
+    public override ParsedInput<string> Parse(string typed, Point2D lastPoint) => new ParsedInput<string>.Value(typed);
 }

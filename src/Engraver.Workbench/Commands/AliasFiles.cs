@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands;
 /// <summary>The built-in aliases, overridden by the operator's aliases.</summary>
 internal static class AliasFiles
 {
-    private const int ShortestForMotion = 3;
+    private const int MinMotionAliasLength = 3;
 
     /// <param name="userFile">Null or a missing file: only the built-in aliases.</param>
     public static AliasTable Read(string? userFile, CommandCatalog catalog)
@@ -13,7 +13,7 @@ internal static class AliasFiles
         var table = AliasTable.Empty.With(BuiltIn(), IsAllowed);
         return userFile is not null && File.Exists(userFile) ? table.With(File.ReadAllText(userFile), IsAllowed) : table;
 
-        bool IsAllowed(string alias, string command) => alias.Length >= ShortestForMotion || catalog.Find(command) is not { Info.StartsMotion: true };
+        bool IsAllowed(string alias, string command) => alias.Length >= MinMotionAliasLength || catalog.Find(command) is not { Info.StartsMotion: true };
     }
 
     private static string BuiltIn()

@@ -22,18 +22,18 @@ public sealed class BesideCommands
     {
         ArgumentNullException.ThrowIfNull(input);
         if (Asks) return true;
-        return Meant(input) is { Info: { IsHeardBeside: true } info } && (info.Group == CommandGroup.Machine || _frames.Top is not { Info.BringsDrawing: true });
+        return Meant(input) is { Info: { CanRunConcurrently: true } info } && (info.Group == CommandGroup.Machine || _frames.Top is not { Info.ReplacesDrawing: true });
     }
 
     /// <summary>This input must not wait for anything: it stops the machine, holds it, or shows its status.</summary>
     public bool IsUrgent(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        return Meant(input) is { Info: { HeardDuringJob: true, Transparent: true, Group: CommandGroup.Machine } };
+        return Meant(input) is { Info: { IsAllowedDuringJob: true, IsTransparent: true, Group: CommandGroup.Machine } };
     }
 
     /// <summary>Why this command may not run beside the one at work, a sentence; null when it may or is not known.</summary>
-    public string? WhyNot(string input) => Meant(input) is { Info: { IsHeardBeside: false } info } ? ReasonFor(info) : null;
+    public string? WhyNot(string input) => Meant(input) is { Info: { CanRunConcurrently: false } info } ? ReasonFor(info) : null;
 
     /// <summary>Ends a command that asks or works beside the one at work, which continues. A command between two questions ends too: nothing is asked any
     /// more.</summary>
@@ -45,7 +45,7 @@ public sealed class BesideCommands
         await frame.Ended.ConfigureAwait(false);
         Interlocked.CompareExchange(ref _frame, null, frame); // its question may have come in the same moment
         frame.Dispose();
-        return frame.HasAsked;
+        return frame.HasPrompted;
     }
 
     /// <summary>Takes an input while a command is at work: only a command that may run beside it is run.</summary>
@@ -60,22 +60,22 @@ public sealed class BesideCommands
         }
 
         var words = input.Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        if (words.Length == 0) return new InputResult.NotUnderstood(Wording.Get("TypedAhead.EnterAlone"));
-        if (_session.Find(words[0]) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
-        if (!command.Info.IsHeardBeside) return new InputResult.NotUnderstood(ReasonFor(command.Info));
+        if (words.Length == 0) return new InputResult.NotAccepted(Wording.Get("TypedAhead.EnterAlone"));
+        if (_session.Find(words[0]) is not { } command) return new InputResult.NotAccepted(Wording.Get("CommandSession.UnknownCommand", input));
+        if (!command.Info.CanRunConcurrently) return new InputResult.NotAccepted(ReasonFor(command.Info));
         return await RunAsync(command, words, cancellation).ConfigureAwait(false);
     }
 
     private async Task<InputResult> RunAsync(ICommand command, string[] words, CancellationToken cancellation)
     {
         if (!IsUrgent(words[0])) _session.Echo(words[0]);
-        var frame = new CommandFrame(command.Info) { IsBeside = true, HasNoDialog = CommandWord.HasDash(words[0]) };
+        var frame = new CommandFrame(command.Info) { IsConcurrent = true, SuppressesDialogs = CommandPrefix.HasDash(words[0]) };
         Interlocked.CompareExchange(ref _frame, frame, null);
         frame.Start(command, new CommandContext(_session, frame));
         var result = await SettleAsync(frame, cancellation).ConfigureAwait(false);
         foreach (var word in words.Skip(1))
         {
-            if (result is not InputResult.Asking) return result;
+            if (result is not InputResult.AwaitingInput) return result;
             result = await AnswerAsync(frame, word, word, cancellation).ConfigureAwait(false);
         }
 
@@ -85,13 +85,13 @@ public sealed class BesideCommands
     private async Task<InputResult> AnswerAsync(CommandFrame frame, string answer, string shown, CancellationToken cancellation)
     {
         _session.Echo(shown);
-        return frame.Answer(answer, _session.LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
+        return frame.Answer(answer, _session.LastPoint) is { } wanted ? new InputResult.NotAccepted(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
     private async Task<InputResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
     {
-        var result = await frame.SettledAsync(cancellation).ConfigureAwait(false);
-        if (result is InputResult.Asking)
+        var result = await frame.WaitForPromptOrEndAsync(cancellation).ConfigureAwait(false);
+        if (result is InputResult.AwaitingInput)
         {
             if (Interlocked.Exchange(ref _frame, frame) is { } other && other != frame) other.Cancel();
             if (!frame.IsCancelled) return result;
@@ -105,7 +105,7 @@ public sealed class BesideCommands
 
     private string ReasonFor(CommandInfo info)
     {
-        var work = _session.Running ?? Wording.Get("CommandSession.AnotherCommand");
+        var work = _session.RunningCommand ?? Wording.Get("CommandSession.AnotherCommand");
         return Wording.Get(info.Group == CommandGroup.Machine || info.StartsMotion ? "CommandSession.MachineInUse" : "CommandSession.DrawingInUse", info.Name, work);
     }
 

@@ -43,22 +43,22 @@ public sealed class CommandContext
     public PlaybackSession Playback => _session.Playback;
 
     /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
-    internal SequenceWalk Walk => _session.Walk;
+    internal SequenceAnimation SequenceAnimation => _session.SequenceAnimation;
 
     /// <summary>True when an operator entered the command at the desktop.</summary>
-    internal bool IsWatched => _session.Environment.RunNeedsArming && !IsScripted;
+    internal bool IsInteractive => _session.Environment.RunNeedsArming && !IsScripted;
 
     /// <summary>The history of runs and posted programs.</summary>
     public JobHistory History => _session.History;
 
     /// <summary>The certificate status of the document's job.</summary>
-    public CertificateWatch Certificates => _session.Certificates;
+    public CertificateMonitor Certificates => _session.Certificates;
 
     /// <summary>Progress of a long command.</summary>
     public CommandProgress Progress => _session.Progress;
 
     /// <summary>The current step of CNCCOMMISSION.</summary>
-    internal CommissioningCourse Commissioning => _session.Commissioning;
+    internal CommissioningProgress Commissioning => _session.Commissioning;
 
     public CommandCatalog Catalog => _session.Catalog;
 
@@ -82,17 +82,17 @@ public sealed class CommandContext
     public async Task<Answer<T>> AskAsync<T>(ValuePrompt<T> prompt)
     {
         var answer = await _frame.AskAsync(prompt).ConfigureAwait(false);
-        if (answer is Answer<Point2D>.Value point) _session.LastPoint = point.Of;
-        else if (answer is Answer<Amount>.Value { Of: Amount.Beginning beginning }) _session.LastPoint = beginning.At;
+        if (answer is Answer<Point2D>.Value point) _session.LastPoint = point.Result;
+        else if (answer is Answer<Amount>.Value { Result: Amount.FirstPoint beginning }) _session.LastPoint = beginning.Point;
         return answer;
     }
 
     /// <summary>Asks for a value; the prompt must have no options and no empty answer.</summary>
-    public async Task<T> ValueAsync<T>(ValuePrompt<T> prompt) => ((Answer<T>.Value)await AskAsync(prompt).ConfigureAwait(false)).Of;
+    public async Task<T> ValueAsync<T>(ValuePrompt<T> prompt) => ((Answer<T>.Value)await AskAsync(prompt).ConfigureAwait(false)).Result;
 
     /// <summary>Asks for one of several options.</summary>
     public async Task<string> ChoiceAsync(string instruction, IReadOnlyList<Keyword> options, string? standard) =>
-        ((Answer<string>.Chosen)await AskAsync(new ChoicePrompt(instruction) { Options = options, Default = standard }).ConfigureAwait(false)).Option;
+        ((Answer<string>.SelectedOption)await AskAsync(new ChoicePrompt(instruction) { Options = options, Default = standard }).ConfigureAwait(false)).Option;
 
     /// <summary>Asks a question whose Enter means no.</summary>
     public async Task<bool> ConfirmAsync(string question) => await ChoiceAsync(question, Keyword.List("Yes", "No"), "No").ConfigureAwait(false) == "Yes";
@@ -101,27 +101,27 @@ public sealed class CommandContext
     /// <exception cref="CommandException">The operator declined.</exception>
     public async Task ConfirmReplaceAsync(string name, string question)
     {
-        var prompt = new ChoicePrompt(question) { Options = Keyword.List("Yes", "No"), Default = "No", Replaces = true };
-        if (await AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Chosen { Option: "Yes" }) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
+        var prompt = new ChoicePrompt(question) { Options = Keyword.List("Yes", "No"), Default = "No", ConfirmsReplacing = true };
+        if (await AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.SelectedOption { Option: "Yes" }) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
     }
 
-    public void Say(string text, MessageKind kind = MessageKind.Note) => _session.Say(kind, text);
+    public void WriteMessage(string text, MessageKind kind = MessageKind.Note) => _session.WriteMessage(kind, text);
 
     /// <summary>Writes a result of several lines.</summary>
-    public void SayResult(Action<TextWriter> write)
+    public void WriteResult(Action<TextWriter> write)
     {
         using var text = new StringWriter { NewLine = "\n" };
         write(text);
-        Say(text.ToString().TrimEnd('\n'), MessageKind.Result);
+        WriteMessage(text.ToString().TrimEnd('\n'), MessageKind.Result);
     }
 
     /// <summary>Commits an undo step under the command's name.</summary>
     /// <exception cref="OperationCanceledException">Esc was pressed while the command was running: nothing is changed.</exception>
     /// <exception cref="CommandException">The command runs concurrently with another one that may use the document.</exception>
-    public void Take(DocumentState next)
+    public void Commit(DocumentState next)
     {
         BeforeStep();
-        Document.Take(_frame.Info.Name, next);
+        Document.Commit(_frame.Info.Name, next);
     }
 
     /// <summary>Changes the document within the last step of this command, so that undo reverts both.</summary>
@@ -135,45 +135,45 @@ public sealed class CommandContext
 
     /// <summary>Highlights the objects picked for this command, until it ends or commits a step.</summary>
     /// <param name="picked">Indices into the drawing's entities; null for none.</param>
-    public void ShowPicked(IReadOnlyList<int>? picked) => _frame.Picked = picked;
+    public void HighlightPicked(IReadOnlyList<int>? picked) => _frame.Picked = picked;
 
     /// <summary>Display precision of lengths and angles (LUPREC, AUPREC).</summary>
-    public Figures Figures => Settings.Current.Figures();
+    public DisplayPrecision Precision => Settings.Current.Figures();
 
     private void BeforeStep()
     {
         if (_frame.IsCancelled) throw new OperationCanceledException();
-        RefuseBeside();
+        ThrowIfConcurrent();
         _frame.Picked = null; // Its indices refer to the previous drawing.
     }
 
     /// <summary>Called before the document is changed by a command of which another part may run concurrently with a running command.</summary>
     /// <exception cref="CommandException">Another command is running.</exception>
-    internal void RefuseBeside()
+    internal void ThrowIfConcurrent()
     {
-        if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.DrawingInUse", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
+        if (_frame.IsConcurrent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.DrawingInUse", _frame.Info.Name, _session.RunningCommand ?? Wording.Get("CommandSession.AnotherCommand")));
     }
 
     /// <summary>Opens the dialog of the command instead of prompting, except for scripts and for names typed with a dash.</summary>
     /// <returns>False if there is no dialog.</returns>
-    internal bool OpensDialog() => !_frame.HasNoDialog && !IsScripted && _session.OpensDialog(_frame.Info.Name);
+    internal bool TryOpenDialog() => !_frame.SuppressesDialogs && !IsScripted && _session.TryOpenDialog(_frame.Info.Name);
 
     /// <summary>The last value at a prompt of this name, or the initial one.</summary>
-    public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
+    public string LastValue(string prompt, string first) => _session.LastValues.GetValueOrDefault(prompt, first);
 
     /// <summary>The last value at a prompt of this name; null if there is none.</summary>
-    public string? Remembered(string prompt) => _session.Memory.GetValueOrDefault(prompt);
+    public string? LastValue(string prompt) => _session.LastValues.GetValueOrDefault(prompt);
 
-    public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
+    public void Remember(string prompt, string value) => _session.LastValues[prompt] = value;
 
     /// <summary>Path of a file to read: in the working folder, otherwise beside the running script.</summary>
-    public string FileToRead(string name) => _session.FileToRead(name);
+    public string ResolveInputPath(string name) => _session.ResolveInputPath(name);
 
     /// <summary>Path of a result beside the drawing, with the drawing's name; null if none is open.</summary>
-    public string? BesideDrawing(string ending) => Document.FilePath is { } drawing ? Path.ChangeExtension(Path.GetFullPath(FileToWrite(drawing)), ending) : null;
+    public string? PathBesideDrawing(string ending) => Document.FilePath is { } drawing ? Path.ChangeExtension(Path.GetFullPath(ResolveOutputPath(drawing)), ending) : null;
 
     /// <summary>Path of a file to write, in the working folder.</summary>
-    public string FileToWrite(string name) => Path.Combine(_session.Environment.Folder, name);
+    public string ResolveOutputPath(string name) => Path.Combine(_session.Environment.Folder, name);
 
     /// <summary>Inserts the inputs of a script before all queued inputs.</summary>
     /// <exception cref="CommandException">Scripts are nested more than 16 levels deep.</exception>
@@ -185,35 +185,35 @@ public sealed class CommandContext
     internal double SimulatorSpeed => _session.Environment.SimulatorSpeed;
 
     /// <summary>Names the settings and commands of a text as the current front end does; text typed by the operator must be inserted afterwards.</summary>
-    internal string Spell(string text) => _session.Environment.Speech(text);
+    internal string ApplyTerminology(string text) => _session.Environment.Terminology(text);
 
     internal string CommissionedProfile => _session.Environment.CommissionedProfile;
 
     internal bool RunNeedsArming => _session.RunNeedsArming;
 
-    internal bool StartIsForHands => _session.StartIsForHands;
+    internal bool RequiresManualStart => _session.RequiresManualStart;
 
     internal bool IsScripted => _session.IsScripted;
 
     /// <summary>Name of the enclosing command; null if this one is not nested.</summary>
-    internal string? Outer => _session.Outer;
+    internal string? OuterCommand => _session.OuterCommand;
 
     /// <summary>Adds a job to the history; reports a write failure.</summary>
     internal void Remember(HistoryEntry entry)
     {
-        if (History.Add(entry).Failure is { } failure) SayNotKept(failure);
+        if (History.Add(entry).Failure is { } failure) WarnNotSaved(failure);
     }
 
     /// <summary>Adds a run that starts to the history.</summary>
-    internal OpenJob Begin(HistoryEntry entry) => new(History, entry, SayNotKept);
+    internal PendingRun BeginRun(HistoryEntry entry) => new(History, entry, WarnNotSaved);
 
-    private void SayNotKept(string failure) => Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
+    private void WarnNotSaved(string failure) => WriteMessage(Wording.Get("History.NotKept", failure), MessageKind.Warning);
 
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => _session.NewRunJournal(drawing);
 
     /// <summary>Ends a command that threw an unexpected exception: stops a running job and raises an alarm.</summary>
-    internal InputResult Broken(Exception bug)
+    internal InputResult HandleInternalError(Exception bug)
     {
         var name = _frame.Info.Name;
         var wasRunning = Machine.IsRunning;
@@ -221,30 +221,10 @@ public sealed class CommandContext
         var sentence = Wording.Get(wasRunning ? "CommandContext.InternalErrorJobStopped" : "CommandContext.InternalError", name, bug.GetType().Name, bug.Message);
         var report = _session.Environment.Failures?.Write(bug);
         Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, report is null ? Wording.Get("CommandContext.ReportErrorWithHistory") : Wording.Get("CommandContext.ReportError", report));
-        Say(bug.ToString());
-        return new InputResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
+        WriteMessage(bug.ToString());
+        return new InputResult.Failed(CommandFailure.Internal, sentence) { Exception = bug };
     }
 
     /// <summary>Reads the alias files again.</summary>
     public AliasTable ReloadAliases() => _session.ReloadAliases();
-}
-
-/// <summary>A line of the command window's history.</summary>
-public sealed record CommandMessage(MessageKind Kind, string Text);
-
-public enum MessageKind
-{
-    /// <summary>A prompt and its input.</summary>
-    Echo,
-
-    /// <summary>The requested output of a command: figures, lists, program text.</summary>
-    Result,
-
-    /// <summary>Additional information from a command.</summary>
-    Note,
-
-    Warning,
-
-    /// <summary>A finding of severity error, or invalid input.</summary>
-    Error,
 }

@@ -31,7 +31,7 @@ public sealed record CommandEnvironment
     public string? SettingsFile { get; init; }
 
     /// <summary>Names the settings and commands of a text, <c>[zero]</c>, as the current front end does (<see cref="SettingWording"/>).</summary>
-    public Func<string, string> Speech { get; init; } = SettingWording.AtCommandLine;
+    public Func<string, string> Terminology { get; init; } = SettingWording.AtCommandLine;
 
     /// <summary>Default file name of the machine profile that CNCCOMMISSION creates.</summary>
     public string CommissionedProfile { get; init; } = "machine.json";

@@ -12,7 +12,7 @@ internal sealed class CommandFrame : IDisposable
     private readonly CancellationTokenSource _cancel = new();
     private readonly CancellationToken _cancelled;
     private readonly TaskCompletionSource<InputResult> _ended = new();
-    private TaskCompletionSource _asks = new();
+    private TaskCompletionSource _prompted = new();
     private volatile bool _isCancelled;
 
     public CommandFrame(CommandInfo info) => (Info, _cancelled) = (info, _cancel.Token);
@@ -20,22 +20,22 @@ internal sealed class CommandFrame : IDisposable
     public CommandInfo Info { get; }
 
     /// <summary>It runs concurrently with another command and does not change what that one may use.</summary>
-    public bool IsBeside { get; init; }
+    public bool IsConcurrent { get; init; }
 
     /// <summary>A dash was typed before its name: it prompts at the command line instead of showing a dialog.</summary>
-    public bool HasNoDialog { get; init; }
+    public bool SuppressesDialogs { get; init; }
 
     /// <summary>Cancellation was requested.</summary>
     public bool IsCancelled => _isCancelled;
 
     /// <summary>The pending prompt; null while it is working.</summary>
-    public PendingAsk? Pending { get; private set; }
+    public PendingPrompt? Pending { get; private set; }
 
     /// <summary>The objects picked for it so far, indices into the drawing's entities; null before the first request.</summary>
     public IReadOnlyList<int>? Picked { get; set; }
 
     /// <summary>True after the first prompt, answered or not.</summary>
-    public bool HasAsked { get; private set; }
+    public bool HasPrompted { get; private set; }
 
     /// <summary>The result; incomplete until the command has ended.</summary>
     public Task<InputResult> Ended => _ended.Task;
@@ -55,7 +55,7 @@ internal sealed class CommandFrame : IDisposable
     public string? Answer(string typed, Core.Geometry.Point2D lastPoint)
     {
         var pending = Pending ?? throw new InvalidOperationException("The command does not ask.");
-        (Pending, _asks) = (null, new TaskCompletionSource());
+        (Pending, _prompted) = (null, new TaskCompletionSource());
         var isAnswered = false;
         try
         {
@@ -70,11 +70,11 @@ internal sealed class CommandFrame : IDisposable
     }
 
     /// <summary>Waits until the command prompts or has ended. A cancelled command does not prompt again.</summary>
-    public async Task<InputResult> SettledAsync(CancellationToken cancellation)
+    public async Task<InputResult> WaitForPromptOrEndAsync(CancellationToken cancellation)
     {
         await using var stop = cancellation.Register(Cancel).ConfigureAwait(false);
-        await Task.WhenAny(_asks.Task, Ended).ConfigureAwait(false);
-        return Ended.IsCompleted || IsCancelled ? await Ended.ConfigureAwait(false) : new InputResult.Asking();
+        await Task.WhenAny(_prompted.Task, Ended).ConfigureAwait(false);
+        return Ended.IsCompleted || IsCancelled ? await Ended.ConfigureAwait(false) : new InputResult.AwaitingInput();
     }
 
     public void Cancel()
@@ -95,12 +95,12 @@ internal sealed class CommandFrame : IDisposable
     public void Dispose() => _cancel.Dispose();
 
     /// <summary>Sets the pending prompt; if Esc was pressed just before on another thread, the prompt is cancelled at once.</summary>
-    private void Await(PendingAsk pending)
+    private void Await(PendingPrompt pending)
     {
-        (Pending, HasAsked) = (pending, true);
+        (Pending, HasPrompted) = (pending, true);
         Interlocked.MemoryBarrier(); // Either Cancel sees the prompt or the cancellation is seen here.
         if (IsCancelled) pending.Cancel();
-        _asks.TrySetResult();
+        _prompted.TrySetResult();
     }
 
     private async Task EndAsync(Task<InputResult> run)
@@ -134,7 +134,7 @@ internal sealed class CommandFrame : IDisposable
         }
         catch (Exception file) when (file is IOException or UnauthorizedAccessException)
         {
-            return new InputResult.Failed(CommandFailure.Usage, SystemReason.WithPath(file) + ".");
+            return new InputResult.Failed(CommandFailure.Usage, SystemErrorText.WithPath(file) + ".");
         }
         catch (OperationCanceledException)
         {
@@ -142,7 +142,7 @@ internal sealed class CommandFrame : IDisposable
         }
         catch (Exception bug) // Any other exception is an internal error: it is reported, a job is stopped, and the desktop stays open.
         {
-            return context.Broken(bug);
+            return context.HandleInternalError(bug);
         }
     }
 }

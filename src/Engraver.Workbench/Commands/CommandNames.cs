@@ -9,7 +9,7 @@ internal static class CommandNames
     /// <summary>The command with this name or alias; null when there is none.</summary>
     public static ICommand? Find(string input, CommandCatalog catalog, AliasTable aliases)
     {
-        var name = CommandWord.Bare(input);
+        var name = CommandPrefix.WithoutPrefix(input);
         return catalog.Find(name) ?? (aliases.CommandOf(name) is { } meant ? catalog.Find(meant) : null);
     }
 
@@ -17,7 +17,7 @@ internal static class CommandNames
     /// commands), then names that contain it.</summary>
     public static IReadOnlyList<CommandSuggestion> Suggest(string typed, CommandCatalog catalog, AliasTable table)
     {
-        var name = CommandWord.Bare(typed);
+        var name = CommandPrefix.WithoutPrefix(typed);
         if (name.Length == 0) return [];
         var aliases = table.Commands
             .Where(pair => pair.Key.StartsWith(name, StringComparison.OrdinalIgnoreCase))
@@ -31,22 +31,4 @@ internal static class CommandNames
 
         static bool IsStop(CommandSuggestion suggestion) => suggestion.Command.Name == CncStopCommand.Name; // CNC typed in a hurry most likely means CNCSTOP.
     }
-}
-
-/// <summary>A completion of the input, with the alias first if there is one, as in <c>M (MOVE)</c>.</summary>
-/// <param name="Alias">Null for the command's own name.</param>
-public sealed record CommandSuggestion(string? Alias, CommandInfo Command)
-{
-    public string Text => Alias is null ? Command.Name : $"{Alias} ({Command.Name})";
-}
-
-/// <summary>A typed command name with AutoCAD's prefixes: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog.</summary>
-internal static class CommandWord
-{
-    private const string Prefixes = "'_.-";
-
-    public static string Bare(string typed) => typed.TrimStart([.. Prefixes]);
-
-    /// <summary>True if the prefixes include a dash.</summary>
-    public static bool HasDash(string typed) => typed[..^Bare(typed).Length].Contains('-', StringComparison.Ordinal);
 }

@@ -12,15 +12,15 @@ public sealed class CommandProgress : IProgress<double>
     /// <summary>0 to 1; null while no command reports.</summary>
     public double? Fraction => Volatile.Read(ref _fraction) is >= 0.0 and var known ? known : null;
 
-    public void Report(double value) => Take(Math.Clamp(value, 0.0, 1.0));
+    public void Report(double value) => Set(Math.Clamp(value, 0.0, 1.0));
 
     /// <summary>Ends the report.</summary>
     public void End()
     {
-        if (Fraction is not null) Take(None);
+        if (Fraction is not null) Set(None);
     }
 
-    private void Take(double fraction)
+    private void Set(double fraction)
     {
         Volatile.Write(ref _fraction, fraction);
         Changed?.Invoke(this, EventArgs.Empty);

@@ -24,9 +24,9 @@ public sealed class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
-    private readonly SessionTies _ties;
+    private readonly SessionEvents _events;
     private ICommand? _last;
-    private int _taking;
+    private int _isEntering;
 
     public CommandSession(CommandEnvironment environment, CommandCatalog catalog)
     {
@@ -37,15 +37,15 @@ public sealed class CommandSession : IAsyncDisposable
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
-        Ahead = new TypedAhead(this);
+        TypeAhead = new TypeAheadBuffer(this);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
-        _ties = new SessionTies(Document, Machine, Derivation, Playback, Certificates);
+        _events = new SessionEvents(Document, Machine, Derivation, Playback, Certificates);
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
-    public event EventHandler<CommandMessage>? Said;
+    public event EventHandler<CommandMessage>? MessageWritten;
 
     /// <summary>Shows the dialog of the command with this name; false if there is none. Called on the thread of the command; null without a window.</summary>
     public Func<string, bool>? Dialogs { get; set; }
@@ -64,7 +64,7 @@ public sealed class CommandSession : IAsyncDisposable
     public DerivationSession Derivation { get; }
 
     /// <summary>The certificate status of the document's job.</summary>
-    public CertificateWatch Certificates { get; } = new();
+    public CertificateMonitor Certificates { get; } = new();
 
     /// <summary>The history of runs and posted programs.</summary>
     public JobHistory History { get; }
@@ -73,32 +73,32 @@ public sealed class CommandSession : IAsyncDisposable
     public PlaybackSession Playback { get; }
 
     /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
-    public SequenceWalk Walk { get; } = new();
+    public SequenceAnimation SequenceAnimation { get; } = new();
 
     /// <summary>The progress of the running command.</summary>
     public CommandProgress Progress { get; } = new();
 
     /// <summary>The steps of CNCCOMMISSION and their states.</summary>
-    public CommissioningCourse Commissioning { get; } = new(() => CncCommissionCommand.StepNames);
+    public CommissioningProgress Commissioning { get; } = new(() => CncCommissionCommand.StepNames);
 
     public CommandCatalog Catalog { get; }
 
     /// <summary>The command that Enter repeats; null if there is none or it starts motion.</summary>
-    public string? Repeatable => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
+    public string? RepeatableCommand => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
 
     /// <summary>The commands that run beside the one at work.</summary>
     public BesideCommands Beside { get; }
 
     /// <summary>Handles inputs typed while a command works.</summary>
-    public TypedAhead Ahead { get; }
+    public TypeAheadBuffer TypeAhead { get; }
 
     public AliasTable Aliases { get; private set; }
 
     /// <summary>True while a command works without prompting.</summary>
-    public bool IsBusy => Volatile.Read(ref _taking) != 0 || _frames.Top is { Pending: null };
+    public bool IsBusy => Volatile.Read(ref _isEntering) != 0 || _frames.Top is { Pending: null };
 
     /// <summary>Name of the running command, the outermost one; null if none runs.</summary>
-    public string? Running => _frames.Outermost?.Info.Name;
+    public string? RunningCommand => _frames.Outermost?.Info.Name;
 
     /// <summary>The running command was cancelled (Esc) and has not ended yet.</summary>
     public bool IsEnding => IsBusy && _frames.Outermost is { IsCancelled: true };
@@ -109,15 +109,15 @@ public sealed class CommandSession : IAsyncDisposable
         get
         {
             if (Beside.Asking is { Pending: { } question } beside) return View(beside, "", question.Prompt);
-            return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.Before, asks.Prompt) : PromptView.Idle;
+            return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.PromptPrefix, asks.Prompt) : PromptView.Idle;
 
             PromptView View(CommandFrame frame, string before, Prompt asks) =>
-                new(frame.Info.Name, before + asks.TextIn(Settings.Current.Figures()), asks.Options, asks.Default, asks.TakesSpaces, asks.Aim) { Preview = asks.Preview, File = asks.File, Replaces = asks.Replaces };
+                new(frame.Info.Name, before + asks.TextIn(Settings.Current.Figures()), asks.Options, asks.Default, asks.AllowsSpaces, asks.PointRequest) { Preview = asks.Preview, FileRequest = asks.FileRequest, ConfirmsReplacing = asks.ConfirmsReplacing };
         }
     }
 
     /// <summary>The highlighted objects, indices into the drawing's entities: those picked for the running command, otherwise the selection.</summary>
-    public IReadOnlyList<int> Lit => _frames.Picked ?? Document.Current.Selection;
+    public IReadOnlyList<int> HighlightedEntities => _frames.Picked ?? Document.Current.Selection;
 
     /// <summary>Folder for relative file names.</summary>
     public string Folder => Environment.Folder;
@@ -132,26 +132,26 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but only the operator starts a machine that is not
     /// simulated.</summary>
-    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.Connection.IsSimulation;
+    internal bool RequiresManualStart => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.Connection.IsSimulation;
 
     /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
 
     /// <summary>Name of the outer command while a nested one runs; otherwise null.</summary>
-    internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
+    internal string? OuterCommand => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
 
     /// <summary>A job runs or something moves: no input is kept to be run after it.</summary>
-    internal bool IsMachineAtWork => Machine.IsRunning || Machine.Status.State.IsMotion();
+    internal bool IsMachineBusy => Machine.IsRunning || Machine.Status.State.IsMotion();
 
-    internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
+    internal bool TryOpenDialog(string command) => Dialogs?.Invoke(command) ?? false;
 
     /// <summary>Base point of direct distance entry (a number is measured towards the cursor), drawing units; null if no point is requested or it has no base
     /// point.</summary>
-    public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
+    public Point2D? DirectDistanceBase => _frames.Top is { Pending.Prompt: PointPrompt { Purpose: PointPurpose.Place, From: { } from } } ? from : null;
 
     internal Point2D LastPoint { get; set; }
 
-    internal ConcurrentDictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
+    internal ConcurrentDictionary<string, string> LastValues { get; } = new(StringComparer.Ordinal);
 
     /// <summary>Processes one input, as typed up to Enter (or Space, if the prompt allows no spaces). Empty is Enter alone: the default, the end of a list, or
     /// the last command again.</summary>
@@ -165,39 +165,39 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>Processes a picked point with full precision; the history shows it with the display precision.</summary>
     /// <param name="cancellation">As for one input.</param>
     public Task<InputResult> PointAsync(Point2D place, CancellationToken cancellation) =>
-        EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"), Settings.Current.Figures().Place(place), cancellation);
+        EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"), Settings.Current.Figures().FormatPoint(place), cancellation);
 
     private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
         Environment.Journal?.WriteLine(ScriptText.Write(input));
-        if (Beside.Asks || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
+        if (Beside.Asks || Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
         try
         {
             var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
-            return Told(_scripts.IsRunnable ? await RunScriptsAsync(cancellation).ConfigureAwait(false) : result);
+            return ReportFailure(_scripts.IsRunnable ? await RunScriptsAsync(cancellation).ConfigureAwait(false) : result);
         }
         finally
         {
-            Volatile.Write(ref _taking, 0);
+            Volatile.Write(ref _isEntering, 0);
         }
     }
 
     /// <summary>Starts a nested command while another prompts, for keys and buttons. Typed commands have an apostrophe as prefix, which would be ambiguous in a
     /// text answer. Without a prompt it starts normally.</summary>
     /// <param name="cancellation">As for one input.</param>
-    public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
+    public async Task<InputResult> EnterNestedAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
-        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(command, cancellation).ConfigureAwait(false));
+        if (Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Beside.EnterAsync(command, cancellation).ConfigureAwait(false));
         try
         {
             Environment.Journal?.WriteLine("'" + command);
             Echo("'" + command);
-            return Told(await BeginInsideAsync(frame, command, cancellation).ConfigureAwait(false));
+            return ReportFailure(await StartNestedAsync(frame, command, cancellation).ConfigureAwait(false));
         }
         finally
         {
-            Volatile.Write(ref _taking, 0);
+            Volatile.Write(ref _isEntering, 0);
         }
     }
 
@@ -206,16 +206,16 @@ public sealed class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
-        if (IsBusy || Interlocked.Exchange(ref _taking, 1) != 0) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.PasteWhileBusy")));
+        if (IsBusy || Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(new InputResult.NotAccepted(Wording.Get("CommandSession.PasteWhileBusy")));
         try
         {
             Environment.Journal?.WriteLine(lines.TrimEnd());
             QueueScript(Wording.Get("CommandSession.PastedLines"), lines);
-            return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
+            return ReportFailure(await RunScriptsAsync(cancellation).ConfigureAwait(false));
         }
         finally
         {
-            Volatile.Write(ref _taking, 0);
+            Volatile.Write(ref _isEntering, 0);
         }
     }
 
@@ -228,13 +228,13 @@ public sealed class CommandSession : IAsyncDisposable
         {
             _scripts.Clear();
             _frames.Cancel();
-            Say(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
+            WriteMessage(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
             return;
         }
 
         SnapOverride.End(this);
         await EndAllAsync().ConfigureAwait(false);
-        Say(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
+        WriteMessage(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
         if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
     }
 
@@ -249,12 +249,12 @@ public sealed class CommandSession : IAsyncDisposable
     {
         await Beside.EndAsync().ConfigureAwait(false);
         await EndAllAsync().ConfigureAwait(false);
-        _ties.Dispose();
+        _events.Dispose();
         Derivation.Dispose();
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
 
-    internal void Say(MessageKind kind, string text) => Said?.Invoke(this, new CommandMessage(kind, text));
+    internal void WriteMessage(MessageKind kind, string text) => MessageWritten?.Invoke(this, new CommandMessage(kind, text));
 
     /// <summary>Queues the inputs of a script. SCRIPT is not repeatable then, otherwise a blank line at the start of the script would run it again.</summary>
     internal void QueueScript(string path, string text)
@@ -266,7 +266,7 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>A path for the journal of a run that starts now.</summary>
     public string NewRunJournal(string drawing) => Machines.Runs.JournalFolder.NewJournal(drawing, Environment.RunJournalFolder, Environment.Time);
 
-    internal string FileToRead(string name) => _scripts.FileToRead(Environment.Folder, name);
+    internal string ResolveInputPath(string name) => _scripts.ResolveInputPath(Environment.Folder, name);
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
@@ -274,35 +274,35 @@ public sealed class CommandSession : IAsyncDisposable
     {
         if (_frames.Top is { Pending: null }) return await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false);
         Echo(shown ?? input);
-        if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
-        if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
-        if (SnapOverride.Take(this, frame.Pending, input)) return new InputResult.Asking();
-        if (frame.Answer(input, LastPoint) is { } wanted) return new InputResult.NotUnderstood(wanted);
+        if (_frames.Top is not { } frame) return await StartCommandAsync(input, cancellation).ConfigureAwait(false);
+        if (input.StartsWith('\'') && frame.Pending is not { Prompt.AllowsSpaces: true }) return await StartNestedAsync(frame, input, cancellation).ConfigureAwait(false);
+        if (SnapOverride.TrySet(this, frame.Pending, input)) return new InputResult.AwaitingInput();
+        if (frame.Answer(input, LastPoint) is { } wanted) return new InputResult.NotAccepted(wanted);
         SnapOverride.End(this);
         return await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
-    private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> StartCommandAsync(string input, CancellationToken cancellation)
     {
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
-        _last = command.Info.IsRepeated ? command : null;
-        return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
+        if (Find(input) is not { } command) return new InputResult.NotAccepted(Wording.Get("CommandSession.UnknownCommand", input));
+        _last = command.Info.IsRepeatable ? command : null;
+        return await StartAsync(command, cancellation, CommandPrefix.HasDash(input)).ConfigureAwait(false);
     }
 
     private async Task<InputResult> RepeatAsync(CancellationToken cancellation)
     {
         if (_last is not { } command) return new InputResult.Done();
         if (!command.Info.StartsMotion) return await StartAsync(command, cancellation).ConfigureAwait(false);
-        Say(MessageKind.Note, Wording.Get("CommandSession.MotionNotRepeated", command.Info.Name));
+        WriteMessage(MessageKind.Note, Wording.Get("CommandSession.MotionNotRepeated", command.Info.Name));
         return new InputResult.Done();
     }
 
-    private async Task<InputResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
+    private async Task<InputResult> StartNestedAsync(CommandFrame outer, string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
-        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CannotRunInside", command.Info.Name, outer.Info.Name));
-        return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
+        if (Find(input) is not { } command) return new InputResult.NotAccepted(Wording.Get("CommandSession.UnknownCommand", input));
+        if (!command.Info.IsTransparent || _frames.IsNested) return new InputResult.NotAccepted(Wording.Get("CommandSession.CannotRunInside", command.Info.Name, outer.Info.Name));
+        return await StartAsync(command, cancellation, CommandPrefix.HasDash(input)).ConfigureAwait(false);
     }
 
     /// <param name="hasNoDialog">A dash was typed before the name.</param>
@@ -315,10 +315,10 @@ public sealed class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
     {
-        var result = await _frames.SettledAsync(frame, cancellation).ConfigureAwait(false);
+        var result = await _frames.WaitForPromptOrEndAsync(frame, cancellation).ConfigureAwait(false);
         if (result is not InputResult.Done || _frames.Top is not { } outer) return result;
-        Say(MessageKind.Note, Wording.Get("CommandSession.ResumingCommand", outer.Info.Name));
-        return new InputResult.Asking();
+        WriteMessage(MessageKind.Note, Wording.Get("CommandSession.ResumingCommand", outer.Info.Name));
+        return new InputResult.AwaitingInput();
     }
 
     private Task EndAllAsync()
@@ -327,16 +327,16 @@ public sealed class CommandSession : IAsyncDisposable
         return _frames.EndAllAsync();
     }
 
-    private InputResult Told(InputResult result)
+    private InputResult ReportFailure(InputResult result)
     {
-        if (result is InputResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
-        if (result is InputResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
+        if (result is InputResult.Failed failed) WriteMessage(MessageKind.Error, failed.Message);
+        if (result is InputResult.NotAccepted unclear) WriteMessage(MessageKind.Error, unclear.Message);
         return result;
     }
 
     internal void Echo(string input)
     {
-        if (SystemVariables.Variable(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
+        if (SystemVariables.Variable(Settings.Current, "CMDECHO") != 0.0) WriteMessage(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
     }
 
     internal ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
@@ -348,32 +348,11 @@ public sealed class CommandSession : IAsyncDisposable
         while (_scripts.Next() is { } next)
         {
             result = cancellation.IsCancellationRequested ? new InputResult.Cancelled() : await EnterOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
-            if (result is InputResult.Asking or InputResult.Done) continue;
+            if (result is InputResult.AwaitingInput or InputResult.Done) continue;
             await EndAllAsync().ConfigureAwait(false);
-            return next.Placed(result);
+            return next.WithLocation(result);
         }
 
         return result;
     }
-}
-
-/// <summary>The prompt as shown in the command window.</summary>
-/// <param name="Command">Name of the prompting command; null if a command name is expected.</param>
-/// <param name="Text">The whole line, <c>&gt;&gt;</c> before it inside a transparent command.</param>
-/// <param name="Options">Options for clicking and completion.</param>
-/// <param name="Default">The value of Enter alone; null without a default.</param>
-/// <param name="TakesSpaces">True if Space is part of the input and not Enter.</param>
-/// <param name="Aim">The requested point (a click on the canvas enters its coordinates); null if no point is requested.</param>
-public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
-{
-    /// <summary>Preview of Enter alone (<see cref="CommandLanguage.Prompt.Preview"/>); null without a preview.</summary>
-    public GhostOf? Preview { get; init; }
-
-    /// <summary>The requested file; null if no file is requested.</summary>
-    public FileWanted? File { get; init; }
-
-    /// <summary>True for the question whether a file is replaced.</summary>
-    public bool Replaces { get; init; }
-
-    public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }

@@ -19,21 +19,21 @@ internal sealed class FrameStack
     public bool IsNested => _frames.Length > 1;
 
     /// <summary>Prefix of the prompt of a nested command.</summary>
-    public string Before => IsNested ? new string('>', 2 * (_frames.Length - 1)) : "";
+    public string PromptPrefix => IsNested ? new string('>', 2 * (_frames.Length - 1)) : "";
 
     public CommandFrame Push(CommandInfo info, bool hasNoDialog)
     {
-        var frame = new CommandFrame(info) { HasNoDialog = hasNoDialog };
+        var frame = new CommandFrame(info) { SuppressesDialogs = hasNoDialog };
         _frames = [frame, .. _frames];
         return frame;
     }
 
     /// <summary>Waits until the command prompts or has ended. A command that ends with an exception is removed too, so that the next one can start.</summary>
-    public async Task<InputResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
+    public async Task<InputResult> WaitForPromptOrEndAsync(CommandFrame frame, CancellationToken cancellation)
     {
         try
         {
-            return await frame.SettledAsync(cancellation).ConfigureAwait(false);
+            return await frame.WaitForPromptOrEndAsync(cancellation).ConfigureAwait(false);
         }
         finally
         {

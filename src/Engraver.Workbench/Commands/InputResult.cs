@@ -8,7 +8,7 @@ public abstract record InputResult
     }
 
     /// <summary>The command waits for input: see the current prompt.</summary>
-    public sealed record Asking : InputResult;
+    public sealed record AwaitingInput : InputResult;
 
     /// <summary>The command has succeeded, or there was nothing to do.</summary>
     public sealed record Done : InputResult;
@@ -17,12 +17,12 @@ public abstract record InputResult
     public sealed record Cancelled : InputResult;
 
     /// <summary>The input was rejected; command and prompt are unchanged.</summary>
-    public sealed record NotUnderstood(string Sentence) : InputResult;
+    public sealed record NotAccepted(string Message) : InputResult;
 
     /// <summary>The command failed.</summary>
-    public sealed record Failed(CommandFailure Why, string Sentence) : InputResult
+    public sealed record Failed(CommandFailure Reason, string Message) : InputResult
     {
-        /// <summary>The unexpected exception; null unless <see cref="Why"/> is <see cref="CommandFailure.Internal"/>.</summary>
-        public Exception? Bug { get; init; }
+        /// <summary>The unexpected exception; null unless <see cref="Reason"/> is <see cref="CommandFailure.Internal"/>.</summary>
+        public Exception? Exception { get; init; }
     }
 }

@@ -10,24 +10,24 @@ internal static class ObjectSelection
 {
     /// <summary>Assumed height in pixels of a missing canvas that shows the drawing, or the view if that is smaller: the pick radius is then one percent of it
     /// at the initial PICKBOX.</summary>
-    private const double PixelsWithoutCanvas = 500.0;
+    private const double ReachWithoutCanvas = 500.0;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
 
     /// <summary>The previously selected objects, otherwise prompts for a selection.</summary>
     /// <exception cref="CommandException">No drawing is open, or nothing was selected.</exception>
-    public static async Task<IReadOnlyList<int>> TakeAsync(CommandContext context)
+    public static async Task<IReadOnlyList<int>> GetAsync(CommandContext context)
     {
         _ = context.Drawing;
         var before = context.Document.Current.Selection;
         if (before.Count == 0) return await PickAsync(context).ConfigureAwait(false);
-        context.Say(Wording.Get("ObjectSelection.Found", before.Count));
+        context.WriteMessage(Wording.Get("ObjectSelection.Found", before.Count));
         return before;
     }
 
     /// <summary>The same for commands that change or erase objects: without those on locked layers.</summary>
     /// <exception cref="CommandException">No drawing is open, nothing was selected, or all objects are locked.</exception>
-    public static async Task<IReadOnlyList<int>> TakeToChangeAsync(CommandContext context) => Unlocked(context, await TakeAsync(context).ConfigureAwait(false));
+    public static async Task<IReadOnlyList<int>> GetForEditAsync(CommandContext context) => Unlocked(context, await GetAsync(context).ConfigureAwait(false));
 
     /// <summary>The editable ones of some objects; reports how many are on locked layers.</summary>
     /// <exception cref="CommandException">All of them are.</exception>
@@ -43,7 +43,7 @@ internal static class ObjectSelection
         var drawing = context.Drawing;
         if (!drawing.Layers.Any(layer => layer.Locked)) return objects;
         IReadOnlyList<int> free = [.. objects.Where(entity => !drawing.Layers[drawing.Entities[entity].Layer].Locked)];
-        if (free.Count < objects.Count) context.Say(Wording.Get("ObjectSelection.Locked", objects.Count - free.Count));
+        if (free.Count < objects.Count) context.WriteMessage(Wording.Get("ObjectSelection.Locked", objects.Count - free.Count));
         return free;
     }
 
@@ -57,20 +57,20 @@ internal static class ObjectSelection
     public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, string instruction)
     {
         var drawing = context.Drawing;
-        var picking = new Picking();
-        context.ShowPicked(picking.Selected);
-        while (await context.AskAsync(Prompt(instruction, picking.Adding)).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
+        var picking = new PickState();
+        context.HighlightPicked(picking.Selected);
+        while (await context.AskAsync(Prompt(instruction, picking.Adding)).ConfigureAwait(false) is var answer and not Answer<Point2D>.EndOfList)
         {
             switch (answer)
             {
-                case Answer<Point2D>.Chosen { Option: "Remove" }: picking.Adding = false; break;
-                case Answer<Point2D>.Chosen { Option: "Add" }: picking.Adding = true; break;
-                case Answer<Point2D>.Chosen { Option: "Undo" }: picking.Undo(); break;
-                case Answer<Point2D>.Chosen { Option: var option }: context.Say(picking.Take(await ByOptionAsync(context, drawing, option).ConfigureAwait(false))); break;
-                case Answer<Point2D>.Value { Of: var point }: context.Say(picking.Take(await ByPointAsync(context, drawing, point).ConfigureAwait(false))); break;
+                case Answer<Point2D>.SelectedOption { Option: "Remove" }: picking.Adding = false; break;
+                case Answer<Point2D>.SelectedOption { Option: "Add" }: picking.Adding = true; break;
+                case Answer<Point2D>.SelectedOption { Option: "Undo" }: picking.Undo(); break;
+                case Answer<Point2D>.SelectedOption { Option: var option }: context.WriteMessage(picking.Add(await ByOptionAsync(context, drawing, option).ConfigureAwait(false))); break;
+                case Answer<Point2D>.Value { Result: var point }: context.WriteMessage(picking.Add(await ByPointAsync(context, drawing, point).ConfigureAwait(false))); break;
             }
 
-            context.ShowPicked(picking.Selected);
+            context.HighlightPicked(picking.Selected);
         }
 
         return picking.Selected;
@@ -78,30 +78,30 @@ internal static class ObjectSelection
 
     private static PointPrompt Prompt(string instruction, bool adding) => new(adding ? instruction : Wording.Get("ObjectSelection.RemoveObjects"))
     {
-        Options = s_options, EnterEnds = true, Use = PointUse.Object, Removes = !adding,
+        Options = s_options, EnterEnds = true, Purpose = PointPurpose.Object, IsDeselecting = !adding,
     };
 
     /// <summary>Prompts for one object until one is found at the picked point, and highlights it.</summary>
     /// <returns>Its index in the drawing's entities, and the point, drawing units.</returns>
-    public static async Task<(int Entity, Point2D At)> OneAsync(CommandContext context, string instruction)
+    public static async Task<(int Entity, Point2D At)> PickOneAsync(CommandContext context, string instruction)
     {
         int? found = null;
-        var prompt = new PointPrompt(instruction) { Use = PointUse.Object, Refusal = at => (found = At(context, at)) is null ? Wording.Get("Reshape.NoObject") : null };
+        var prompt = new PointPrompt(instruction) { Purpose = PointPurpose.Object, Validate = at => (found = EntityAt(context, at)) is null ? Wording.Get("Reshape.NoObject") : null };
         var place = await context.ValueAsync(prompt).ConfigureAwait(false);
-        context.ShowPicked([found!.Value]);
+        context.HighlightPicked([found!.Value]);
         return (found.Value, place);
     }
 
     /// <summary>The visible object under a point; null if there is none.</summary>
-    public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
+    public static int? EntityAt(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, PickRadius(context));
 
     /// <summary>Pick radius, drawing units: half the side of the pickbox (PICKBOX) as shown on the canvas.</summary>
-    public static double Reach(CommandContext context)
+    public static double PickRadius(CommandContext context)
     {
         var (pickbox, view) = (context.Settings.Current.Variable("PICKBOX"), context.View.Current);
         if (view.CanvasHeight is { } pixels) return pickbox * view.Height / pixels;
         var box = DrawingPick.BoundsOf(context.Drawing, DrawingPick.Visible(context.Drawing));
-        return pickbox / PixelsWithoutCanvas * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Window.Width, view.Window.Height));
+        return pickbox / ReachWithoutCanvas * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Window.Width, view.Window.Height));
     }
 
     private static async Task<IReadOnlyList<int>> ByOptionAsync(CommandContext context, Drawing drawing, string option) => option switch
@@ -118,16 +118,16 @@ internal static class ObjectSelection
     /// <summary>On an object: that object. On empty space: a box, a window to the right, a crossing to the left.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
     {
-        if (At(context, point) is { } entity) return [entity];
-        var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = point }).ConfigureAwait(false);
+        if (EntityAt(context, point) is { } entity) return [entity];
+        var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Purpose = PointPurpose.Corner, From = point }).ConfigureAwait(false);
         var box = Bounds2D.FromCorners(point, corner);
         return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];
     }
 
     private static async Task<Bounds2D> BoxAsync(CommandContext context)
     {
-        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);
-        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Purpose = PointPurpose.Corner }).ConfigureAwait(false);
+        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Purpose = PointPurpose.Corner, From = first }).ConfigureAwait(false));
     }
 
     private static IReadOnlyList<int> ByHandle(Drawing drawing, string handle) => [.. DrawingPick.Visible(drawing).Where(entity => IsHandle(drawing, entity, handle))];
@@ -138,7 +138,7 @@ internal static class ObjectSelection
         [.. DrawingPick.Visible(drawing).Where(entity => drawing.Layers[drawing.Entities[entity].Layer].Name.Equals(name, StringComparison.OrdinalIgnoreCase))];
 
     /// <summary>The objects picked so far.</summary>
-    private sealed class Picking
+    private sealed class PickState
     {
         private readonly Stack<IReadOnlyList<int>> _before = new();
 
@@ -147,7 +147,7 @@ internal static class ObjectSelection
         public IReadOnlyList<int> Selected { get; private set; } = [];
 
         /// <returns>AutoCAD's message: number found, number of duplicates, total.</returns>
-        public string Take(IReadOnlyList<int> found)
+        public string Add(IReadOnlyList<int> found)
         {
             _before.Push(Selected);
             var known = Selected.ToHashSet();

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands;
 internal sealed class ScriptQueue
 {
     /// <summary>Maximum nesting of scripts, which ends endless recursion.</summary>
-    private const int Deepest = 16;
+    private const int MaxDepth = 16;
 
     private readonly Stack<(string Path, IEnumerator<ScriptToken> Tokens)> _scripts = new();
     private readonly Lock _guard = new(); // Esc clears it from another thread.
@@ -20,7 +20,7 @@ internal sealed class ScriptQueue
     }
 
     /// <summary>Path of a file in the working folder, otherwise beside the running script; if neither exists, the path in the working folder.</summary>
-    public string FileToRead(string folder, string name)
+    public string ResolveInputPath(string folder, string name)
     {
         var here = Path.Combine(folder, name);
         if (File.Exists(here) || !TryPeek(out var script) || Path.GetDirectoryName(Path.GetFullPath(script.Path)) is not { } own) return here;
@@ -35,7 +35,7 @@ internal sealed class ScriptQueue
 
     private void Push(string path, string text)
     {
-        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.TooDeep", Deepest));
+        if (_scripts.Count == MaxDepth) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.TooDeep", MaxDepth));
         _scripts.Push((path, ScriptText.Read(text).GetEnumerator()));
     }
 
@@ -73,12 +73,12 @@ internal sealed class ScriptQueue
 internal sealed record ScriptInput(string Path, ScriptToken Token)
 {
     /// <summary>Adds file and line of the input to the message of a failure; other results are unchanged.</summary>
-    public InputResult Placed(InputResult result) => result switch
+    public InputResult WithLocation(InputResult result) => result switch
     {
-        InputResult.Failed failed => failed with { Sentence = Place(failed.Sentence) },
-        InputResult.NotUnderstood unclear => new InputResult.Failed(CommandFailure.Usage, Place(unclear.Sentence)),
+        InputResult.Failed failed => failed with { Message = AddLocation(failed.Message) },
+        InputResult.NotAccepted unclear => new InputResult.Failed(CommandFailure.Usage, AddLocation(unclear.Message)),
         _ => result,
     };
 
-    private string Place(string sentence) => Wording.Get("ScriptQueue.Place", Path, Token.Line, Token.Text, sentence);
+    private string AddLocation(string sentence) => Wording.Get("ScriptQueue.Place", Path, Token.Line, Token.Text, sentence);
 }

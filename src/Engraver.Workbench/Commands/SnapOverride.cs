@@ -9,11 +9,11 @@ internal static class SnapOverride
 {
     /// <param name="pending">The pending prompt; null if there is none.</param>
     /// <returns>False if the input is not a snap name: it is then read as an answer.</returns>
-    public static bool Take(CommandSession session, PendingAsk? pending, string input)
+    public static bool TrySet(CommandSession session, PendingPrompt? pending, string input)
     {
-        if (pending?.Prompt is not { Aim.Use: PointUse.Place } prompt || SnapNames.Find(input) is not { } bits || Keyword.Find(prompt.Options, input) is not null) return false;
+        if (pending?.Prompt is not { PointRequest.Purpose: PointPurpose.Place } prompt || SnapNames.Find(input) is not { } bits || Keyword.Find(prompt.Options, input) is not null) return false;
         session.View.Change(view => view with { OneTimeSnap = bits });
-        session.Say(MessageKind.Note, Wording.Get("Osnap.OneTime", SnapNames.Text(bits)));
+        session.WriteMessage(MessageKind.Note, Wording.Get("Osnap.OneTime", SnapNames.Text(bits)));
         return true;
     }
 

@@ -11,7 +11,7 @@ namespace Engraver.Workbench.Composition;
 public static class Discovery
 {
     /// <summary>Timeout for one address.</summary>
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(4);
+    private static readonly TimeSpan s_timeout = TimeSpan.FromSeconds(4);
 
     /// <summary>The addresses to query, without duplicates, in the order in which they were found.</summary>
     /// <param name="baud">Baud rate of the serial devices.</param>
@@ -20,7 +20,7 @@ public static class Discovery
     {
         ArgumentNullException.ThrowIfNull(devices);
         var serial = devices.Select(device => FormattableString.Invariant($"serial://{device}?baud={baud}"));
-        return [.. given.Concat(Remembered(settings) is { } last ? [last] : []).Concat(serial).Distinct(StringComparer.Ordinal)];
+        return [.. given.Concat(LastAddress(settings) is { } last ? [last] : []).Concat(serial).Distinct(StringComparer.Ordinal)];
     }
 
     /// <summary>The serial devices of this computer.</summary>
@@ -31,30 +31,30 @@ public static class Discovery
 
     /// <summary>Queries one address.</summary>
     /// <param name="time">The clock of the timeout.</param>
-    public static async Task<DiscoveredController> AskAsync(string address, TimeProvider time, CancellationToken cancellation)
+    public static async Task<DiscoveredController> QueryAsync(string address, TimeProvider time, CancellationToken cancellation)
     {
         if (!MachineFamilies.Standard.TryParseAddress(address, out var parsed)) return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAddress", MachineFamilies.Standard.AddressForms));
-        using var patience = new CancellationTokenSource(s_patience, time);
+        using var patience = new CancellationTokenSource(s_timeout, time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(patience.Token, cancellation);
         try
         {
             await using var connection = MachineConnection.To(parsed, time);
-            await using var machine = await connection.ShakeHandsAsync(time, either.Token).ConfigureAwait(false);
-            var place = await machine.LocateAsync(MachineAxes.Default, either.Token).ConfigureAwait(false);
+            await using var machine = await connection.HandshakeAsync(time, either.Token).ConfigureAwait(false);
+            var place = await machine.ReadPositionAsync(MachineAxes.Default, either.Token).ConfigureAwait(false);
             return new DiscoveredController(address, machine.Identity.Model, place.Serial, null);
         }
         catch (Exception silent) when (silent is ControllerException or PlatformNotSupportedException or IOException or UnauthorizedAccessException)
         {
-            return new DiscoveredController(address, null, null, SystemReason.Of(silent));
+            return new DiscoveredController(address, null, null, SystemErrorText.FromException(silent));
         }
         catch (OperationCanceledException) when (!cancellation.IsCancellationRequested)
         {
-            return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAnswer", s_patience.TotalSeconds));
+            return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAnswer", s_timeout.TotalSeconds));
         }
     }
 
     /// <summary>The last address of the desktop that is not a simulated controller; null when there is none, or the file cannot be read.</summary>
-    private static string? Remembered(string settings)
+    private static string? LastAddress(string settings)
     {
         try
         {
@@ -69,9 +69,3 @@ public static class Discovery
         }
     }
 }
-
-/// <summary>Result of a query.</summary>
-/// <param name="Model">Model reported by the controller; null if none answers.</param>
-/// <param name="Serial">Its serial number; null if it has none.</param>
-/// <param name="WhyNot">Why no controller was found; null if one answers.</param>
-public sealed record DiscoveredController(string Address, string? Model, long? Serial, string? WhyNot);

@@ -12,15 +12,15 @@ namespace Engraver.Workbench.Composition;
 public sealed class DmcReader : IProgramReader
 {
     /// <summary>Time without motion, seconds of controller time, after which a program counts as stuck.</summary>
-    private const int LongestRest = 60;
+    private const int MaxSettleSeconds = 60;
 
     /// <summary>Simulator steps between two checks for cancellation, some tens of milliseconds of processor time.</summary>
     private const int SliceSteps = 20_000;
 
-    private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(LongestRest);
+    private static readonly TimeSpan s_maxSettleTime = TimeSpan.FromSeconds(MaxSettleSeconds);
     private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
 
-    public bool TellsTimes => true;
+    public bool ReportsTimes => true;
 
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
@@ -29,7 +29,7 @@ public sealed class DmcReader : IProgramReader
         var program = new ReadBackProgram(text);
         var listener = new RecordListener(request.Machine, [.. request.Judges]);
         listener.Start(-(double)request.Start.X, -(double)request.Start.Y, -(double)request.Start.Z);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new FrozenTimeProvider(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
         await ReadBackRun.SetMotorsAsync(request.Machine, channel, cancellation).ConfigureAwait(false);
@@ -37,7 +37,7 @@ public sealed class DmcReader : IProgramReader
         {
             var (chunk, fault) = program.Next();
             if (chunk is null) return fault is null ? [] : [fault];
-            if (number > 1) request.Pace?.BeginPart();
+            if (number > 1) request.Schedule?.BeginPart();
             void Report() => progress?.Report(new ReplayProgress(number, Math.Max(number, program.Count), TimeSpan.FromMilliseconds(controller.Status.Sample), request.Expected));
             if (await RunAsync(chunk, controller, channel, request.Longest, Report, cancellation).ConfigureAwait(false) is { } failure) return [failure];
         }
@@ -58,10 +58,10 @@ public sealed class DmcReader : IProgramReader
         while (true)
         {
             cancellation.ThrowIfCancellationRequested();
-            var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
+            var (status, hasRested) = controller.AdvanceToRest(longest, s_maxSettleTime, SliceSteps);
             report();
             if (status.IsIdle) return null;
-            if (hasRested) return Wording.Get("ProgramReplayer.NoMotion", LongestRest);
+            if (hasRested) return Wording.Get("ProgramReplayer.NoMotion", MaxSettleSeconds);
             if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.TooLong", longest.TotalSeconds);
         }
     }

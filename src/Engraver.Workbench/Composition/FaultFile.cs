@@ -25,7 +25,7 @@ public static class FaultFile
         {
             var fault = $"faults[{unusable.Fault}]";
             var kind = fields.Find($"{fault}.kind")?.Text;
-            return [FaultFileRules.FaultUnusable.At(new SourceRef(fields.LineOf($"{fault}.{unusable.Flaw.Field}")), fault, Reason(unusable.Flaw, kind))];
+            return [FaultFileRules.FaultUnusable.At(new SourceRef(fields.LineOf($"{fault}.{unusable.Error.Field}")), fault, Reason(unusable.Error, kind))];
         }
         catch (JsonException unreadable)
         {
@@ -45,15 +45,15 @@ public static class FaultFile
         return FaultFileRules.ValueUnreadable.At(place, path, typed is null ? Wording.Get("FaultFile.OneOf", string.Join(", ", s_kinds)) : Wording.Get("FaultFile.OneOfNearest", string.Join(", ", s_kinds), JsonFields.Nearest(typed, s_kinds)));
     }
 
-    private static string Reason(FaultFlaw flaw, string? kind) => flaw.Reason switch
+    private static string Reason(FaultError flaw, string? kind) => flaw.Reason switch
     {
-        FlawReason.Moments => Wording.Get("FaultFile.OneMoment"),
-        FlawReason.NoAxis => Wording.Get("FaultFile.NoAxis", kind),
-        FlawReason.HasNoAxis => Wording.Get("FaultFile.HasNoAxis", kind),
-        FlawReason.OtherAxis => Wording.Get("FaultFile.InvalidAxis"),
-        FlawReason.NeverEnds => Wording.Get("FaultFile.NoDuration", kind),
-        FlawReason.NotAboveZero => Wording.Get("FaultFile.NotAboveZero", flaw.Field),
-        FlawReason.BelowOne => Wording.Get("FaultFile.BelowOne", flaw.Field),
+        FaultErrorReason.Moments => Wording.Get("FaultFile.OneMoment"),
+        FaultErrorReason.NoAxis => Wording.Get("FaultFile.NoAxis", kind),
+        FaultErrorReason.HasNoAxis => Wording.Get("FaultFile.HasNoAxis", kind),
+        FaultErrorReason.OtherAxis => Wording.Get("FaultFile.InvalidAxis"),
+        FaultErrorReason.NeverEnds => Wording.Get("FaultFile.NoDuration", kind),
+        FaultErrorReason.NotAboveZero => Wording.Get("FaultFile.NotAboveZero", flaw.Field),
+        FaultErrorReason.BelowOne => Wording.Get("FaultFile.BelowOne", flaw.Field),
         _ when flaw.Field is "atSeconds" => Wording.Get("FaultFile.SecondsOutOfRange", flaw.Field, 1e9),
         _ when flaw.Field is "seconds" => Wording.Get("FaultFile.SecondsOutOfRange", flaw.Field, 1e6),
         _ => Wording.Get("FaultFile.BelowZero", flaw.Field),

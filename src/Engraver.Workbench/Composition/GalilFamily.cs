@@ -14,8 +14,8 @@ internal static class GalilFamily
     public static MachineFamily Create() => new()
     {
         Driver = Driver,
-        Takes = address => address is TcpAddress or SerialAddress or SimulatedAddress,
-        WhyNot = address => address is SerialAddress ? SerialLink.WhyUnsupported : null,
+        Accepts = address => address is TcpAddress or SerialAddress or SimulatedAddress,
+        RefusalOf = address => address is SerialAddress ? SerialLink.WhyUnsupported : null,
         Connect = (address, time, keepsRecord, profile) => address switch
         {
             TcpAddress tcp => MachineConnection.OverNetwork(Driver, tcp, time, () => ControllerSession.HandlesTaken),

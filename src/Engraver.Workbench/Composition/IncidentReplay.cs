@@ -15,8 +15,8 @@ namespace Engraver.Workbench.Composition;
 public sealed class IncidentReplay : IAsyncDisposable
 {
     /// <summary>Maximum time that the controller continues after an interrupted recording, and maximum time at rest.</summary>
-    private static readonly TimeSpan s_longest = TimeSpan.FromMinutes(10);
-    private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan s_maxDuration = TimeSpan.FromMinutes(10);
+    private static readonly TimeSpan s_maxSettleTime = TimeSpan.FromSeconds(10);
 
     /// <summary>Simulator steps between two checks for cancellation.</summary>
     private const int SliceSteps = 20_000;
@@ -26,13 +26,13 @@ public sealed class IncidentReplay : IAsyncDisposable
 
     private IncidentReplay(Conversation conversation, InterruptedJob? told)
     {
-        (Conversation, Told) = (conversation, told);
-        var options = new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), SerialNumber = MachineConnection.SimulatedSerialNumber };
+        (Conversation, JournalledJob) = (conversation, told);
+        var options = new SimulatorOptions { Speed = double.PositiveInfinity, Time = new FrozenTimeProvider(), SerialNumber = MachineConnection.SimulatedSerialNumber };
         _controller = new SimulatedController(conversation.Clock == ConversationClock.RealTime ? options with { CommandCost = TimeSpan.Zero } : options);
     }
 
     /// <summary>The run in the journal: its header and, if it ended regularly, its end; null if the journal has no job.</summary>
-    public InterruptedJob? Told { get; }
+    public InterruptedJob? JournalledJob { get; }
 
     /// <summary>The recorded conversation.</summary>
     public Conversation Conversation { get; }
@@ -51,10 +51,10 @@ public sealed class IncidentReplay : IAsyncDisposable
     public CountsPoint? FinalPosition => Samples == 0 ? null : new CountsPoint(At(0), At(1), Letters.Length > 2 ? At(2) : 0);
 
     /// <summary>Whether the final position matches the journal; null if the journal has none or nothing moved.</summary>
-    public bool? Agrees => Told?.End is { X: { } x, Y: { } y } && FinalPosition is { } found ? (x, y) == (found.X, found.Y) : null;
+    public bool? EndsAsJournalled => JournalledJob?.End is { X: { } x, Y: { } y } && FinalPosition is { } found ? (x, y) == (found.X, found.Y) : null;
 
     /// <summary>The letters of the job's axes; older journals do not contain them.</summary>
-    private string Letters => Told?.Header.Axes is { Length: > 0 } letters ? letters : MachineAxes.Default.Letters;
+    private string Letters => JournalledJob?.Header.Axes is { Length: > 0 } letters ? letters : MachineAxes.Default.Letters;
 
     /// <summary>Replays the last run of a journal.</summary>
     /// <param name="wire">The conversation beside it.</param>
@@ -73,20 +73,20 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or FormatException)
         {
-            return (null, Wording.Get("Replay.Unreadable", SystemReason.WithPath(unusable)));
+            return (null, Wording.Get("Replay.Unreadable", SystemErrorText.WithPath(unusable)));
         }
 
         try
         {
-            await replay.SayAsync(cancellation).ConfigureAwait(false);
+            await replay.SendAsync(cancellation).ConfigureAwait(false);
         }
         catch (IOException refused)
         {
             await replay.DisposeAsync().ConfigureAwait(false); // More links than a controller has.
-            return (null, Wording.Get("Replay.Unreadable", SystemReason.WithPath(refused)));
+            return (null, Wording.Get("Replay.Unreadable", SystemErrorText.WithPath(refused)));
         }
 
-        replay.ComeToRest(cancellation);
+        replay.SettleAxes(cancellation);
         return (replay, null);
     }
 
@@ -117,28 +117,28 @@ public sealed class IncidentReplay : IAsyncDisposable
 
     private int At(int axis) => _controller.Record[Samples - 1][Letters[axis] - 'A'];
 
-    private async Task SayAsync(CancellationToken cancellation)
+    private async Task SendAsync(CancellationToken cancellation)
     {
         using var clock = _controller.JoinClock();
-        if (Told?.Header is { } header && (header.StartX, header.StartY, header.StartZ) != (0, 0, 0)) await PlaceAsync(header).ConfigureAwait(false);
+        if (JournalledJob?.Header is { } header && (header.StartX, header.StartY, header.StartZ) != (0, 0, 0)) await SetPositionAsync(header).ConfigureAwait(false);
         foreach (var step in Conversation.Steps)
         {
             cancellation.ThrowIfCancellationRequested();
-            await UntilAsync(clock, step.Ticks).ConfigureAwait(false);
+            await AdvanceToAsync(clock, step.Ticks).ConfigureAwait(false);
             LateSeconds = Math.Max(LateSeconds, TimeSpan.FromTicks(clock.GetTimestamp() - step.Ticks).TotalSeconds);
-            await DoAsync(step).ConfigureAwait(false);
+            await ExecuteAsync(step).ConfigureAwait(false);
         }
     }
 
     /// <summary>Sets the start position from the journal, if the machine had been moved before.</summary>
-    private async Task PlaceAsync(JournalHeader header)
+    private async Task SetPositionAsync(JournalHeader header)
     {
         await using var link = _controller.OpenConnection();
         long[] places = [header.StartX, header.StartY, header.StartZ];
         for (var axis = 0; axis < Letters.Length; axis++) await link.WriteAsync(DmcAxes.Placing(Letters[axis], places[axis])).ConfigureAwait(false);
     }
 
-    private async Task DoAsync(ConversationStep step)
+    private async Task ExecuteAsync(ConversationStep step)
     {
         switch (step.Act)
         {
@@ -146,7 +146,7 @@ public sealed class IncidentReplay : IAsyncDisposable
                 _links[step.Link] = _controller.OpenConnection();
                 break;
             case ConversationAct.Said when _links.GetValueOrDefault(step.Link) is { } link:
-                await SayAsync(link, step.Bytes).ConfigureAwait(false);
+                await SendAsync(link, step.Bytes).ConfigureAwait(false);
                 break;
             case ConversationAct.Closed when _links.Remove(step.Link, out var closed):
                 await closed.DisposeAsync().ConfigureAwait(false);
@@ -154,7 +154,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
     }
 
-    private static async Task SayAsync(Stream link, byte[] bytes)
+    private static async Task SendAsync(Stream link, byte[] bytes)
     {
         try
         {
@@ -167,7 +167,7 @@ public sealed class IncidentReplay : IAsyncDisposable
     }
 
     /// <summary>Advances controller time to a moment.</summary>
-    private static async Task UntilAsync(HostClock clock, long ticks)
+    private static async Task AdvanceToAsync(HostClock clock, long ticks)
     {
         var left = ticks - clock.GetTimestamp();
         if (left <= 0) return;
@@ -177,23 +177,14 @@ public sealed class IncidentReplay : IAsyncDisposable
     }
 
     /// <summary>Simulates what the controller still does on its own: its watchdog detects the missing host.</summary>
-    private void ComeToRest(CancellationToken cancellation)
+    private void SettleAxes(CancellationToken cancellation)
     {
-        var end = _controller.Status.Sample + s_longest.TotalMilliseconds;
+        var end = _controller.Status.Sample + s_maxDuration.TotalMilliseconds;
         while (true)
         {
             cancellation.ThrowIfCancellationRequested();
-            var (status, hasRested) = _controller.AdvanceToRest(s_longest, s_longestRest, SliceSteps);
+            var (status, hasRested) = _controller.AdvanceToRest(s_maxDuration, s_maxSettleTime, SliceSteps);
             if (status.IsIdle || hasRested || status.Sample >= end) return;
         }
     }
-}
-
-/// <summary>Comparison of a replay and a record.</summary>
-/// <param name="Same">Number of matching lines from the start, including the heading.</param>
-/// <param name="There">First differing line of the record; null if it has ended or nothing differs.</param>
-/// <param name="Here">First differing line of the replay; null if it has ended or nothing differs.</param>
-public sealed record ReplayComparison(int Same, string? There, string? Here)
-{
-    public bool IsSame => There is null && Here is null;
 }

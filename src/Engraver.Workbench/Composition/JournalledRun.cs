@@ -12,7 +12,7 @@ namespace Engraver.Workbench.Composition;
 public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double? Seconds, ExecutionStrategy Strategy, bool IsDryRun, string Program)
 {
     /// <summary>True if the run ended, the controller was restored, and the run cannot be resumed.</summary>
-    public bool IsSettled { get; private init; }
+    public bool IsClosed { get; private init; }
 
     /// <summary>Path of the copy of the controller's program beside a journal.</summary>
     public static string ProgramCopyOf(string journal) => InterruptedJob.ProgramCopyOf(journal);
@@ -22,7 +22,7 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     {
         try
         {
-            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode.Strategy(), told.Header.DryRun, told.Header.Program) { IsSettled = Settled(told) } : null;
+            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode.Strategy(), told.Header.DryRun, told.Header.Program) { IsClosed = Closed(told) } : null;
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
@@ -30,5 +30,5 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
         }
     }
 
-    private static bool Settled(InterruptedJob job) => job is { End.LeftAsFound: true, WhyOver.Length: > 0 };
+    private static bool Closed(InterruptedJob job) => job is { End.LeftAsFound: true, NotResumableReason.Length: > 0 };
 }

@@ -8,10 +8,10 @@ namespace Engraver.Workbench.Composition;
 /// <summary>The clock of a job on a machine until disposed: the wall clock, or the clock of a simulated controller.</summary>
 public sealed class MachineClock : IDisposable
 {
-    private readonly IDisposable? _taken;
-    private readonly Action? _heard;
+    private readonly IDisposable? _registration;
+    private readonly Action? _onReceived;
 
-    private MachineClock(TimeProvider time, IDisposable? taken, Action? heard) => (Time, _taken, _heard) = (time, taken, heard);
+    private MachineClock(TimeProvider time, IDisposable? taken, Action? heard) => (Time, _registration, _onReceived) = (time, taken, heard);
 
     public TimeProvider Time { get; }
 
@@ -31,19 +31,19 @@ public sealed class MachineClock : IDisposable
     /// <summary>Performs the handshake with a machine using this clock, without recording the conversation.</summary>
     /// <param name="trace">Receives every line on the wire; null for none.</param>
     /// <exception cref="ControllerException">The link could not be established.</exception>
-    public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) => ShakeHandsAsync(connection, trace, conversation: null, cancellation);
+    public Task<IMachineConnection> HandshakeAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) => HandshakeAsync(connection, trace, conversation: null, cancellation);
 
     /// <summary>Performs the handshake with a machine using this clock.</summary>
     /// <param name="trace">Receives every line on the wire; null for none.</param>
     /// <param name="conversation">Records every byte for a replay; null for none.</param>
     /// <exception cref="ControllerException">The link could not be established.</exception>
-    public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation)
+    public Task<IMachineConnection> HandshakeAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(connection);
         return connection.Driver.OpenAsync(
             async stop =>
             {
-                var link = Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
+                var link = Wrap(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
                 return conversation is null ? link : conversation.Recorder.Over(link);
             },
             trace?.Wire,
@@ -57,37 +57,9 @@ public sealed class MachineClock : IDisposable
 
     /// <summary>Starts recording the conversation, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the conversation.</param>
-    public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, _taken is null ? ConversationClock.Wall : ConversationClock.Controller, wall));
+    public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, _registration is null ? ConversationClock.Wall : ConversationClock.Controller, wall));
 
-    public void Dispose() => _taken?.Dispose();
+    public void Dispose() => _registration?.Dispose();
 
-    private IControllerLink Over(IControllerLink link) => _heard is null ? link : new ClockedLink(link, _heard);
-}
-
-/// <summary>The trace of a link: every line on the wire.</summary>
-public sealed class MachineTrace
-{
-    internal MachineTrace(WireTrace wire) => Wire = wire;
-
-    internal WireTrace Wire { get; }
-
-    /// <summary>Why it ended early; null if complete.</summary>
-    public string? Failure => Wire.Failure;
-
-    /// <summary>Flushes and closes the file.</summary>
-    public Task CloseAsync(CancellationToken cancellation) => Wire.CloseAsync(cancellation);
-}
-
-/// <summary>The recorded conversation with a machine, for a replay.</summary>
-public sealed class MachineConversation
-{
-    internal MachineConversation(ConversationRecorder recorder) => Recorder = recorder;
-
-    internal ConversationRecorder Recorder { get; }
-
-    /// <summary>Why the recording is incomplete; null if complete.</summary>
-    public string? Failure => Recorder.Failure;
-
-    /// <summary>Flushes and closes the file.</summary>
-    public Task CloseAsync(CancellationToken cancellation) => Recorder.CloseAsync(cancellation);
+    private IControllerLink Wrap(IControllerLink link) => _onReceived is null ? link : new ClockedLink(link, _onReceived);
 }

@@ -16,7 +16,7 @@ public sealed class MachineConnection : IAsyncDisposable
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan s_writeTimeout = TimeSpan.FromSeconds(2);
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
-    private readonly Func<MachineClock> _takeClock;
+    private readonly Func<MachineClock> _createClock;
 
     private MachineConnection(IMachineDriver driver, string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock)
     {
@@ -24,7 +24,7 @@ public sealed class MachineConnection : IAsyncDisposable
         Description = description;
         Simulator = simulator;
         _open = open;
-        _takeClock = takeClock;
+        _createClock = takeClock;
     }
 
     public IMachineDriver Driver { get; }
@@ -48,7 +48,7 @@ public sealed class MachineConnection : IAsyncDisposable
             $"tcp://{address.Host}:{address.Port}",
             simulator: null,
             async cancellation => await TcpLink.ConnectAsync(address.Host, address.Port, s_connectTimeout, time, cancellation, resetHint).ConfigureAwait(false),
-            () => Offered(address, time));
+            () => ClockFor(address, time));
     }
 
     public static MachineConnection OverSerialLine(IMachineDriver driver, SerialAddress address, TimeProvider time)
@@ -59,7 +59,7 @@ public sealed class MachineConnection : IAsyncDisposable
             $"serial://{address.Device}",
             simulator: null,
             _ => Task.FromResult<IControllerLink>(SerialLink.Open(address, s_writeTimeout, time)),
-            () => Offered(address, time));
+            () => ClockFor(address, time));
     }
 
     /// <summary>A simulated DMC-2143 of its own.</summary>
@@ -68,14 +68,14 @@ public sealed class MachineConnection : IAsyncDisposable
     public static MachineConnection Simulated(IMachineDriver driver, SimulatedAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile)
     {
         ArgumentNullException.ThrowIfNull(address);
-        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber, Switches = profile is null ? [] : SimulatedMachine.Switches(profile) });
+        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber, Switches = profile is null ? [] : SimulatedSwitches.Switches(profile) });
         return new MachineConnection(driver, address.Typed, controller, _ => Task.FromResult<IControllerLink>(LinkTo(controller)), () => MachineClock.FromSimulator(controller.JoinClock()));
     }
 
     /// <summary>A machine whose links are opened by a function of the caller.</summary>
     /// <param name="description">Its address for display and for the journal.</param>
     /// <param name="driver">Null for the default one.</param>
-    public static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock, IMachineDriver? driver = null) =>
+    public static MachineConnection FromLink(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock, IMachineDriver? driver = null) =>
         new(driver ?? MachineFamilies.Default, description, simulator: null, open, takeClock);
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>
@@ -88,12 +88,12 @@ public sealed class MachineConnection : IAsyncDisposable
     /// <summary>Identifies the controller over links of its own, by the wall clock or another: for callers that observe and do not run a job
     /// (<see cref="MachineClock"/>).</summary>
     /// <exception cref="ControllerException">No reply.</exception>
-    public Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) => Driver.OpenAsync(OpenLinkAsync, trace: null, time, cancellation);
+    public Task<IMachineConnection> HandshakeAsync(TimeProvider time, CancellationToken cancellation) => Driver.OpenAsync(OpenLinkAsync, trace: null, time, cancellation);
 
     /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then passes only by the
     /// commands of the job and while the job waits, until the clock is disposed.</summary>
     /// <exception cref="ControllerLinkException">No clock is offered at the port of the address.</exception>
-    public MachineClock TakeClock() => _takeClock();
+    public MachineClock CreateClock() => _createClock();
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;
 
@@ -103,5 +103,5 @@ public sealed class MachineConnection : IAsyncDisposable
         return new StreamLink(controller.OpenConnection(ticks => Volatile.Write(ref taken, ticks)), "sim:") { Taken = () => Volatile.Read(ref taken), Now = () => controller.ClockTicks };
     }
 
-    private static MachineClock Offered(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
+    private static MachineClock ClockFor(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
 }

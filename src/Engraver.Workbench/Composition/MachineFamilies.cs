@@ -33,7 +33,7 @@ public sealed class MachineFamilies(IReadOnlyList<MachineFamily> all)
     }
 
     /// <summary>Reads a profile and checks it against the limits of the family that it names.</summary>
-    public MachineProfileReading ReadProfile(string json) => MachineProfileFile.Read(json, Default.Limits, [.. all.Select(family => family.Driver)]);
+    public MachineProfileReadResult ReadProfile(string json) => MachineProfileFile.Read(json, Default.Limits, [.. all.Select(family => family.Driver)]);
 
     /// <summary>The family by whose driver a controller at an address is used.</summary>
     /// <param name="profile">The profile of the machine; null where none is known: the first family that accepts the address.</param>
@@ -42,8 +42,8 @@ public sealed class MachineFamilies(IReadOnlyList<MachineFamily> all)
     public MachineFamily At(ControllerAddress address, MachineProfile? profile)
     {
         ArgumentNullException.ThrowIfNull(address);
-        if (profile is null) return all.FirstOrDefault(family => family.Takes(address)) ?? throw new ArgumentException($"No family of controllers is reached at {address.Typed}.", nameof(address));
+        if (profile is null) return all.FirstOrDefault(family => family.Accepts(address)) ?? throw new ArgumentException($"No family of controllers is reached at {address.Typed}.", nameof(address));
         var driver = DriverOf(profile);
-        return all.FirstOrDefault(family => family.Driver.Key == driver.Key && family.Takes(address)) ?? throw new ControllerLinkException(Wording.Get("MachineFamilies.NotReached", driver.Name, address.Typed));
+        return all.FirstOrDefault(family => family.Driver.Key == driver.Key && family.Accepts(address)) ?? throw new ControllerLinkException(Wording.Get("MachineFamilies.NotReached", driver.Name, address.Typed));
     }
 }

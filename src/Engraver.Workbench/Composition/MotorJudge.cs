@@ -11,12 +11,12 @@ internal sealed class MotorJudge(Func<ITraceJudge> drawing)
 {
     /// <summary>Maximum distance between two judged positions: a released motor may move farther between two samples, and intermediate positions are judged
     /// too.</summary>
-    private const double LargestWay = 0.05;
+    private const double MaxStepLength = 0.05;
 
-    private const int MostSteps = 400;
+    private const int MaxSteps = 400;
 
     /// <summary>Maximum sample interval for straight interpolation, seconds; between two polls a motor follows the path.</summary>
-    private const double LongestSample = 0.005;
+    private const double MaxSampleSeconds = 0.005;
 
     private ITraceJudge? _places;
     private TraceSample? _last;
@@ -45,7 +45,7 @@ internal sealed class MotorJudge(Func<ITraceJudge> drawing)
     }
 
     /// <summary>Notes a span without following error.</summary>
-    public void Followed(bool isCutting)
+    public void AddSpan(bool isCutting)
     {
         if (isCutting) Following ??= 0.0;
         _last = null;
@@ -54,9 +54,9 @@ internal sealed class MotorJudge(Func<ITraceJudge> drawing)
     private void Judge(in TraceSample motor)
     {
         _places ??= drawing();
-        if (_last is { Cutting: true } before && motor.Cutting && motor.Seconds - before.Seconds <= LongestSample)
+        if (_last is { Cutting: true } before && motor.Cutting && motor.Seconds - before.Seconds <= MaxSampleSeconds)
         {
-            var steps = (int)Math.Min(MostSteps, before.Place.DistanceTo(motor.Place) / LargestWay);
+            var steps = (int)Math.Min(MaxSteps, before.Place.DistanceTo(motor.Place) / MaxStepLength);
             for (var i = 1; i < steps; i++) _places.Add(Between(before, motor, (double)i / steps));
         }
 

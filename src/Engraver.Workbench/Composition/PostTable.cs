@@ -48,10 +48,10 @@ public static class PostTable
     public static PostEntry? ForMotion(IControllerFamily family, MotionStyle style) => All.FirstOrDefault(entry => entry.Controller == family.Key && entry.Post.Motion == style);
 
     /// <summary>The first entry with this file extension; null if there is none.</summary>
-    public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
+    public static PostEntry? ForExtension(string ending) => All.FirstOrDefault(entry => entry.Post.FileExtension == ending);
 
     /// <summary>Extensions of the files that can be read back.</summary>
-    public static IReadOnlyList<string> ReadEndings => [.. All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Ending).Distinct()];
+    public static IReadOnlyList<string> ReadableExtensions => [.. All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.FileExtension).Distinct()];
 
     /// <summary>The text of docs/posts.md.</summary>
     public static string ToMarkdown()
@@ -61,44 +61,14 @@ public static class PostTable
         foreach (var (post, _, reader) in All)
         {
             var options = string.Join(", ", post.Options.Select(option => $"`--{option.Name} {option.Argument}`"));
-            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.Ending}`", post.Geometry switch { PostGeometry.Program => $"motion program, {post.Motion}", PostGeometry.Curves => "path in mm", _ => "lines and arcs in mm" }, options, reader is null ? "no" : "yes").Append(" |\n");
+            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.FileExtension}`", post.Geometry switch { PostGeometry.Program => $"motion program, {post.Motion}", PostGeometry.Curves => "path in mm", _ => "lines and arcs in mm" }, options, reader is null ? "no" : "yes").Append(" |\n");
         }
 
         page.Append("\n| Option | Meaning | Value | Default | Of |\n|---|---|---|---|---|\n");
-        foreach (var option in Options) page.Append("| ").AppendJoin(" | ", $"`--{option.Name}`", option.Summary, option.Form.Replace("|", "\\|", StringComparison.Ordinal), option.Default, string.Join(", ", Having(option))).Append(" |\n");
+        foreach (var option in Options) page.Append("| ").AppendJoin(" | ", $"`--{option.Name}`", option.Summary, option.Form.Replace("|", "\\|", StringComparison.Ordinal), option.Default, string.Join(", ", TargetsWith(option))).Append(" |\n");
         return page.ToString();
     }
 
     /// <summary>The names of the posts that have an option.</summary>
-    public static IEnumerable<string> Having(PostOption option) => All.Where(entry => entry.Post.Options.Any(one => one.Name == option.Name)).Select(entry => entry.Post.Name);
-}
-
-/// <summary>One format.</summary>
-/// <param name="Keyword">Keyword at POST; the capitals are its abbreviation.</param>
-/// <param name="Reader">Reader used by <c>verify</c>; null if there is none.</param>
-public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null)
-{
-    /// <summary>Key of the controller family whose controllers run it; null for a program that this workbench only writes.</summary>
-    public string? Controller { get; init; }
-
-    /// <summary>Readers by dialect; empty if there is only one.</summary>
-    public IReadOnlyDictionary<string, IProgramReader> Dialects { get; init; } = new Dictionary<string, IProgramReader>();
-
-    /// <summary>The non-default dialects, by their keywords at prompts.</summary>
-    public IReadOnlyDictionary<string, string> OtherDialects { get; init; } = new Dictionary<string, string>();
-}
-
-/// <summary>A format in one dialect.</summary>
-/// <param name="Keyword">Keyword at prompts; the capitals are its abbreviation.</param>
-/// <param name="Dialect">Null for the default of the entry.</param>
-public sealed record PostChoice(string Keyword, PostEntry Entry, string? Dialect)
-{
-    /// <summary>The reader; null if there is none.</summary>
-    public IProgramReader? Reader => Dialect is null ? Entry.Reader : Entry.Dialects[Dialect];
-
-    /// <summary>The post options that select the dialect.</summary>
-    public IReadOnlyDictionary<string, string> Options => Dialect is null ? new Dictionary<string, string>() : new Dictionary<string, string> { ["dialect"] = Dialect };
-
-    /// <summary>Name in tables.</summary>
-    public string Name => $"{Entry.Post.Name} {Dialect ?? Entry.Dialects.Keys.Except(Entry.OtherDialects.Values).FirstOrDefault()}".TrimEnd();
+    public static IEnumerable<string> TargetsWith(PostOption option) => All.Where(entry => entry.Post.Options.Any(one => one.Name == option.Name)).Select(entry => entry.Post.Name);
 }

@@ -10,7 +10,7 @@ namespace Engraver.Workbench.Composition;
 /// <remarks>Called by the controller under its lock; <see cref="Start"/> and <see cref="Verdicts"/> may be called from other threads.</remarks>
 internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[] judges) : IMotionListener
 {
-    private const double RoundEnough = 1e-9;
+    private const double ScaleTolerance = 1e-9;
     private readonly Lock _gate = new();
     private readonly OutputSwitch _tool = profile.Tool;
     private readonly int? _z = profile.Height is null || profile.Axes.Z is not { } z ? null : IndexOf(z);
@@ -51,7 +51,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            Tell(frame, sample);
+            Forward(frame, sample);
         }
     }
 
@@ -69,9 +69,9 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            if (_z is not null) TellEach(frame, span);
-            else if (span.ArcOf(_x, _y) is { } arc && IsCutting(span.Outputs)) TellArc(frame, span, arc);
-            else Tell(frame, span, 0, span.Count - 1);
+            if (_z is not null) ForwardSamples(frame, span);
+            else if (span.ArcOf(_x, _y) is { } arc && IsCutting(span.Outputs)) ForwardArc(frame, span, arc);
+            else Forward(frame, span, 0, span.Count - 1);
         }
     }
 
@@ -79,19 +79,19 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     private static int IndexOf(MachineAxis axis) => axis.Letter - 'A';
 
     /// <summary>With a tool axis every sample is judged individually, also at constant speed.</summary>
-    private void TellEach((double X, double Y, double Z) frame, MotionSpan span)
+    private void ForwardSamples((double X, double Y, double Z) frame, MotionSpan span)
     {
-        for (var i = 0L; i < span.Count; i++) Tell(frame, span[i]);
+        for (var i = 0L; i < span.Count; i++) Forward(frame, span[i]);
     }
 
     /// <summary>The record contains motor positions; the commanded position differs from them by the controller's position error.</summary>
-    private void Tell((double X, double Y, double Z) frame, in MotionSample sample)
+    private void Forward((double X, double Y, double Z) frame, in MotionSample sample)
     {
         var motor = Place(frame, sample[_x], sample[_y]);
         var (errorX, errorY, errorZ) = (sample.ErrorOf(_x), sample.ErrorOf(_y), _z is { } height ? sample.ErrorOf(height) : 0);
         var commanded = errorX == 0 && errorY == 0 ? motor : Place(frame, (double)sample[_x] + errorX, (double)sample[_y] + errorY);
         var z = _z is { } axis ? sample[axis] + (double)errorZ - frame.Z : 0.0;
-        var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.Up * z < profile.Up * (double)profile.RetractCounts;
+        var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.UpSign * z < profile.UpSign * (double)profile.RetractCounts;
         var following = double.Hypot(motor.DistanceTo(commanded), profile.Scale.ToMillimetres((double)errorZ));
         var told = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following };
         var seen = told with { XMm = motor.X, YMm = motor.Y, ZMm = profile.Scale.ToMillimetres(z - errorZ) };
@@ -105,35 +105,35 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     private Point2D Place((double X, double Y, double Z) frame, double x, double y) => profile.Scale.ToMillimetres(x - frame.X, y - frame.Y);
 
     /// <summary>Forwards the straight line from one sample of a span to another to the judges.</summary>
-    private void Tell((double X, double Y, double Z) frame, MotionSpan span, long from, long to)
+    private void Forward((double X, double Y, double Z) frame, MotionSpan span, long from, long to)
     {
         var (first, last) = (span.Exactly(from, _x, _y), span.Exactly(to, _x, _y));
-        Tell(span, from, to, Segment.FromLine(Place(frame, first.X, first.Y), Place(frame, last.X, last.Y)));
+        Forward(span, from, to, Segment.FromLine(Place(frame, first.X, first.Y), Place(frame, last.X, last.Y)));
     }
 
-    private void Tell(MotionSpan span, long from, long to, Segment path)
+    private void Forward(MotionSpan span, long from, long to, Segment path)
     {
         var told = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
         foreach (var judge in judges) judge.Add(told);
-        Motors?.Followed(told.Cutting);
+        Motors?.AddSpan(told.Cutting);
         Places?.Add(told);
     }
 
     /// <summary>Forwards an arc to the judges. Unequal axis scales make it an ellipse, which is forwarded as chords within a twentieth of a count; no post of
     /// this program writes such an arc.</summary>
-    private void TellArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
+    private void ForwardArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
     {
         var (radiusX, radiusY) = (profile.Scale.X.ToMillimetres(arc.RadiusX), profile.Scale.Y.ToMillimetres(arc.RadiusY));
         var radius = Math.Max(Math.Abs(radiusX), Math.Abs(radiusY));
-        if (Math.Abs(Math.Abs(radiusX) - Math.Abs(radiusY)) <= RoundEnough * radius)
+        if (Math.Abs(Math.Abs(radiusX) - Math.Abs(radiusY)) <= ScaleTolerance * radius)
         {
             var centre = Place(frame, arc.CentreX, arc.CentreY);
-            Tell(span, 0, span.Count - 1, Segment.FromArc(Unmirrored(new ArcSegment(centre, radius, Angle.FromDegrees(arc.StartDegrees), Angle.FromDegrees(arc.SweepDegrees)), radiusX < 0.0, radiusY < 0.0)));
+            Forward(span, 0, span.Count - 1, Segment.FromArc(Unmirrored(new ArcSegment(centre, radius, Angle.FromDegrees(arc.StartDegrees), Angle.FromDegrees(arc.SweepDegrees)), radiusX < 0.0, radiusY < 0.0)));
             return;
         }
 
         var chords = (long)Math.Min(span.Count - 1, Math.Ceiling(Math.Abs(arc.SweepDegrees) * (Math.PI / 180.0) / Math.Sqrt(8.0 * _count / 20.0 / radius)));
-        for (var i = 0L; i < chords; i++) Tell(frame, span, i * (span.Count - 1) / chords, (i + 1) * (span.Count - 1) / chords);
+        for (var i = 0L; i < chords; i++) Forward(frame, span, i * (span.Count - 1) / chords, (i + 1) * (span.Count - 1) / chords);
     }
 
     /// <summary>The arc in drawing angles: an axis with a negative scale mirrors them.</summary>

@@ -19,7 +19,7 @@ public sealed class ServedSimulator : IAsyncDisposable
     public double Speed { get; }
 
     /// <summary>Faults with an internal error of the simulator; its clients are then disconnected.</summary>
-    public Task Broken => _controller.Broken;
+    public Task Failure => _controller.Broken;
 
     /// <summary>Why the record is incomplete; null if complete. Final once the simulator is disposed.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
@@ -39,7 +39,7 @@ public sealed class ServedSimulator : IAsyncDisposable
             NumberSpacing = signColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
         };
         if (serialNumber is { } number) options = options with { SerialNumber = number };
-        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile), Switches = SimulatedMachine.Switches(profile) });
+        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = BurnedFrom(profile), Switches = SimulatedSwitches.Switches(profile) });
     }
 
     /// <summary>Writes every motor sample and output change to a file as CSV, and closes it when the simulator is disposed.</summary>
@@ -60,11 +60,11 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <param name="heard">Receives all bytes on the line and whether the host sent them; on the transferring threads. Null for none.</param>
     public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, heard, cancellation);
 
-    /// <summary>Whether bytes on the serial line take no time (<see cref="SimulatedController.SerialCarriesAtOnce"/>).</summary>
-    public bool SerialCarriesAtOnce
+    /// <summary>Whether bytes on the serial line take no time (<see cref="SimulatedController.IsSerialInstant"/>).</summary>
+    public bool IsSerialUnpaced
     {
-        get => _controller.SerialCarriesAtOnce;
-        set => _controller.SerialCarriesAtOnce = value;
+        get => _controller.IsSerialInstant;
+        set => _controller.IsSerialInstant = value;
     }
 
     /// <summary>Adds faults; one whose time has passed occurs at once.</summary>
@@ -89,7 +89,7 @@ public sealed class ServedSimulator : IAsyncDisposable
         }
     }
 
-    private static BurnedMotion Burned(MachineProfile profile)
+    private static BurnedMotion BurnedFrom(MachineProfile profile)
     {
         var speeds = new int?[1 + profile.Axes.All.Max(axis => axis.Letter - 'A')];
         foreach (var axis in profile.Axes.All) speeds[axis.Letter - 'A'] = profile.RapidSpeed(axis);

@@ -6,16 +6,16 @@ namespace Engraver.Workbench.Documents;
 
 /// <summary>Computes the derived document (<see cref="DerivedDocument"/>) in the background, once for each state. A computation is cancelled when the state
 /// changes before it is done.</summary>
-/// <remarks>Any thread. Without <see cref="KeepsUp"/> nothing is computed until requested.</remarks>
+/// <remarks>Any thread. Without <see cref="IsAutomatic"/> nothing is computed until requested.</remarks>
 public sealed class DerivationSession : IDisposable
 {
     private readonly Lock _guard = new();
     private readonly DocumentSession _document;
-    private Work? _work;
+    private Derivation? _running;
     private ExecutionStrategy? _strategy;
     private SerialAddress? _line;
-    private bool _keepsUp;
-    private DerivedDocument? _givenUp;
+    private bool _isAutomatic;
+    private DerivedDocument? _cancelledWork;
 
     public DerivationSession(DocumentSession document)
     {
@@ -30,8 +30,8 @@ public sealed class DerivationSession : IDisposable
     /// <summary>The stage being computed; null while idle. Its event is raised on a thread of the pool.</summary>
     public DerivationProgress Progress { get; } = new();
 
-    /// <summary>The computation for the current document was cancelled by <see cref="GiveUp"/>: it restarts when the document changes or on request.</summary>
-    public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, Strategy, _line);
+    /// <summary>The computation for the current document was cancelled by <see cref="Cancel"/>: it restarts when the document changes or on request.</summary>
+    public bool IsCancelled => _cancelledWork is { } wanted && IsOf(wanted, _document.Current, Strategy, _line);
 
     /// <summary>The last completed result; it may be older than the document.</summary>
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
@@ -47,7 +47,7 @@ public sealed class DerivationSession : IDisposable
         set
         {
             _strategy = value;
-            if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
+            if (_isAutomatic) _ = ForCurrentAsync(CancellationToken.None);
         }
     }
 
@@ -59,24 +59,24 @@ public sealed class DerivationSession : IDisposable
         {
             if (_line == value) return;
             _line = value;
-            if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
+            if (_isAutomatic) _ = ForCurrentAsync(CancellationToken.None);
         }
     }
 
     /// <summary>True: every new state is computed at once, as needed by a desktop.</summary>
-    public bool KeepsUp
+    public bool IsAutomatic
     {
-        get => _keepsUp;
+        get => _isAutomatic;
         set
         {
-            _keepsUp = value;
+            _isAutomatic = value;
             if (value) _ = ForCurrentAsync(CancellationToken.None);
         }
     }
 
     /// <summary>Task to await before computing a document without earlier results: a window shows a drawing before planning it. Its result is ignored. Null:
     /// none. Called under a lock, so it must not block.</summary>
-    public Func<DocumentState, Task>? Before { get; set; }
+    public Func<DocumentState, Task>? Prerequisite { get; set; }
 
     /// <summary>The derived document of the current state. Does not compute on the caller's thread.</summary>
     /// <param name="cancellation">Ends the waiting; the computation continues for other callers.</param>
@@ -88,20 +88,20 @@ public sealed class DerivationSession : IDisposable
             var state = _document.Current;
             var strategy = StrategyFor(state);
             if (IsOf(Current, state, strategy, _line)) return Task.FromResult(Current);
-            if (_work is null || !IsOf(_work.Wanted, state, strategy, _line)) Begin(new DerivedDocument(state, strategy) { Line = _line });
-            return _work!.Result.WaitAsync(cancellation);
+            if (_running is null || !IsOf(_running.Wanted, state, strategy, _line)) Start(new DerivedDocument(state, strategy) { Line = _line });
+            return _running!.Result.WaitAsync(cancellation);
         }
     }
 
     /// <summary>Cancels the running computation.</summary>
     /// <returns>False if there is none.</returns>
-    public bool GiveUp()
+    public bool Cancel()
     {
         lock (_guard)
         {
-            if (_work is null) return false;
-            _work.Cancel.Cancel();
-            (_givenUp, _work) = (_work.Wanted, null);
+            if (_running is null) return false;
+            _running.Cancel.Cancel();
+            (_cancelledWork, _running) = (_running.Wanted, null);
         }
 
         Progress.End();
@@ -112,7 +112,7 @@ public sealed class DerivationSession : IDisposable
     public void Dispose()
     {
         _document.Changed -= OnDocumentChanged;
-        lock (_guard) _work?.Cancel.Cancel();
+        lock (_guard) _running?.Cancel.Cancel();
     }
 
     private ExecutionStrategy StrategyFor(DocumentState state)
@@ -126,31 +126,31 @@ public sealed class DerivationSession : IDisposable
     private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy) =>
         derived.Strategy == strategy && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings;
 
-    private void Begin(DerivedDocument wanted)
+    private void Start(DerivedDocument wanted)
     {
-        _work?.Cancel.Cancel();
-        _givenUp = null;
+        _running?.Cancel.Cancel();
+        _cancelledWork = null;
         var cancel = new CancellationTokenSource();
         var known = IsOf(Current, wanted.State, wanted.Strategy) ? Current : null;
-        var before = known is null && Before?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
+        var before = known is null && Prerequisite?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
         var work = Task.Run(
             async () =>
             {
                 await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line);
+                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.CreateReporter(cancel.Token))).WithLine(wanted.Line);
             },
             cancel.Token);
-        _work = new Work(wanted, cancel, FinishAsync(work, cancel));
+        _running = new Derivation(wanted, cancel, FinishAsync(work, cancel));
     }
 
     private async Task<DerivedDocument> FinishAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
     {
-        var derived = await UnlessFailedAsync(work, cancel).ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // Never inside the caller's lock.
+        var derived = await CatchFailureAsync(work, cancel).ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // Never inside the caller's lock.
         lock (_guard)
         {
             cancel.Token.ThrowIfCancellationRequested();
             Current = derived;
-            if (ReferenceEquals(_work?.Cancel, cancel)) _work = null;
+            if (ReferenceEquals(_running?.Cancel, cancel)) _running = null;
         }
 
         Progress.End();
@@ -159,7 +159,7 @@ public sealed class DerivationSession : IDisposable
         return derived;
     }
 
-    private async Task<DerivedDocument> UnlessFailedAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
+    private async Task<DerivedDocument> CatchFailureAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
     {
         try
         {
@@ -175,48 +175,16 @@ public sealed class DerivationSession : IDisposable
     {
         lock (_guard)
         {
-            if (_work is not null && !IsOf(_work.Wanted, _document.Current, Strategy, _line))
+            if (_running is not null && !IsOf(_running.Wanted, _document.Current, Strategy, _line))
             {
-                _work.Cancel.Cancel();
-                _work = null;
+                _running.Cancel.Cancel();
+                _running = null;
             }
         }
 
-        if (_keepsUp && !IsGivenUp) _ = ForCurrentAsync(CancellationToken.None);
-        else if (_work is null) Progress.End();
+        if (_isAutomatic && !IsCancelled) _ = ForCurrentAsync(CancellationToken.None);
+        else if (_running is null) Progress.End();
     }
 
-    private sealed record Work(DerivedDocument Wanted, CancellationTokenSource Cancel, Task<DerivedDocument> Result);
-}
-
-/// <summary>Progress of the derivation. Any thread.</summary>
-public sealed class DerivationProgress
-{
-    private volatile JobStage? _stage;
-
-    /// <summary>Raised with each stage and at the end, on the computing thread.</summary>
-    public event EventHandler? Changed;
-
-    /// <summary>The stage being computed; null while idle.</summary>
-    public JobStage? Stage => _stage;
-
-    /// <summary>Creates the reporter of one computation; its reports after cancellation are ignored.</summary>
-    internal IProgress<JobStage> For(CancellationToken cancellation) => new Work(this, cancellation);
-
-    internal void End() => Take(null);
-
-    private void Take(JobStage? stage)
-    {
-        if (ReferenceEquals(_stage, stage)) return;
-        _stage = stage;
-        Changed?.Invoke(this, EventArgs.Empty);
-    }
-
-    private sealed class Work(DerivationProgress owner, CancellationToken cancellation) : IProgress<JobStage>
-    {
-        public void Report(JobStage value)
-        {
-            if (!cancellation.IsCancellationRequested) owner.Take(value);
-        }
-    }
+    private sealed record Derivation(DerivedDocument Wanted, CancellationTokenSource Cancel, Task<DerivedDocument> Result);
 }

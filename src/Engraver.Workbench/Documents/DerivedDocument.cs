@@ -37,11 +37,11 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
     /// <summary>The planned motion; null when there is nothing to cut.</summary>
     public PlannedMotion? Motion { get; init; }
 
-    private Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
+    private Lazy<PostOutput?> Posted { get; init; } = new((PostOutput?)null);
 
     /// <summary>The posted program of the machine's own controller; null when there is nothing to cut, or when its family has no post. Written when it is first
     /// requested, which takes a while: only a page that shows it requests it.</summary>
-    public PostText? Program => Posted.Value;
+    public PostOutput? Program => Posted.Value;
 
     /// <summary>True after the first access to <see cref="Program"/>.</summary>
     public bool IsPosted => Posted.IsValueCreated;
@@ -78,7 +78,7 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
     }
 
     /// <summary>The same document with a plan for another serial line.</summary>
-    internal DerivedDocument Over(SerialAddress? line)
+    internal DerivedDocument WithLine(SerialAddress? line)
     {
         if (line == Line) return this;
         if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };

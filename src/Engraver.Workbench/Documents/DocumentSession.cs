@@ -16,9 +16,9 @@ public sealed class DocumentSession
     private readonly Dictionary<string, string> _sidecars = new(StringComparer.Ordinal);
     private readonly Dictionary<string, string> _saved = new(StringComparer.Ordinal);
     private readonly Dictionary<string, IReadOnlyDictionary<string, IReadOnlyList<string>>> _handles = new(StringComparer.Ordinal);
-    private Drawing? _kept;
-    private Sidecar _keptSidecar = Sidecar.Empty;
-    private int _begun;
+    private Drawing? _savedEdition;
+    private Sidecar _savedSidecar = Sidecar.Empty;
+    private int _newDrawings;
 
     /// <summary>Raised after the current state has changed.</summary>
     public event EventHandler? Changed;
@@ -26,10 +26,10 @@ public sealed class DocumentSession
     public DocumentState Current { get; private set; } = DocumentState.Nothing;
 
     /// <summary>True if the drawing or its sidecar has unsaved changes.</summary>
-    public bool IsEdited => IsDrawingEdited || (Current.Edition is not null && !Current.Sidecar.IsKeptBy(_keptSidecar));
+    public bool IsEdited => IsDrawingEdited || (Current.Edition is not null && !Current.Sidecar.IsSavedIn(_savedSidecar));
 
     /// <summary>True if the drawing itself has unsaved changes.</summary>
-    public bool IsDrawingEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _kept);
+    public bool IsDrawingEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _savedEdition);
 
     /// <summary>Names of the steps that can be undone, the last one first.</summary>
     public IEnumerable<string> UndoNames => _undo.Select(step => step.Name);
@@ -39,7 +39,7 @@ public sealed class DocumentSession
 
     /// <summary>Commits a step and clears the redo history.</summary>
     /// <param name="name">The command of the step.</param>
-    public void Take(string name, DocumentState next)
+    public void Commit(string name, DocumentState next)
     {
         ArgumentNullException.ThrowIfNull(next);
         lock (_guard)
@@ -60,7 +60,7 @@ public sealed class DocumentSession
     }
 
     /// <summary>The drawing that was read, sharing equal columns with the drawings of this session's history to save memory.</summary>
-    public Drawing Shared(Drawing read)
+    public Drawing ShareColumns(Drawing read)
     {
         ArgumentNullException.ThrowIfNull(read);
         foreach (var kept in _undo.Select(step => step.State.Edition).Prepend(Current.Edition).OfType<Drawing>().Distinct(ReferenceEqualityComparer.Instance).Cast<Drawing>())
@@ -91,7 +91,7 @@ public sealed class DocumentSession
     public bool HasFile => Current.Drawing is { } drawing && (!drawing.IsNew || _saved.ContainsKey(drawing.FileName));
 
     /// <summary>The number of the next new drawing; 1 is the first of the session.</summary>
-    public int CountBegun() => ++_begun;
+    public int NextDrawingNumber() => ++_newDrawings;
 
     /// <summary>Marks the current drawing and sidecar as unchanged since opening; a new drawing has nothing to save.</summary>
     public void MarkOpened()
@@ -102,7 +102,7 @@ public sealed class DocumentSession
             _handles.Remove(Path.GetFullPath(opened));
         }
 
-        (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+        (_savedEdition, _savedSidecar) = (Current.Edition, Current.Sidecar);
     }
 
     /// <summary>Marks the current drawing and sidecar as saved.</summary>
@@ -115,7 +115,7 @@ public sealed class DocumentSession
             if (drawing.IsNew) Current = Current with { Drawing = drawing with { FileName = path, IsNew = false } };
         }
 
-        (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+        (_savedEdition, _savedSidecar) = (Current.Edition, Current.Sidecar);
         Changed?.Invoke(this, EventArgs.Empty);
     }
 

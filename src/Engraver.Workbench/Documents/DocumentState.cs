@@ -28,7 +28,7 @@ public sealed record DocumentState
 
     /// <summary>Name of the layer on which new objects are drawn (CLAYER). If the drawing has no such layer, layer 0 is used
     /// (<see cref="Documents.CurrentLayer"/>).</summary>
-    public string CurrentLayer { get; init; } = Documents.CurrentLayer.First;
+    public string CurrentLayer { get; init; } = Documents.CurrentLayer.DefaultName;
 
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;

@@ -27,14 +27,14 @@ public static class DrawingFile
         if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, Wording.Get("DrawingFile.Folder")));
         try
         {
-            using var arriving = ArrivingFile.TryBegin(path);
+            using var arriving = ProgressiveFile.TryStart(path);
             using var ended = cancellation.Register(() => arriving?.Dispose());
             return arriving is null ? DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation) : DxfReader.Read(arriving, path, options, cancellation);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
             cancellation.ThrowIfCancellationRequested();
-            return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, SystemReason.Of(unreadable)));
+            return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, SystemErrorText.FromException(unreadable)));
         }
     }
 }

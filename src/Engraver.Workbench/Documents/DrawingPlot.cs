@@ -38,7 +38,7 @@ public static class DrawingPlot
         ArgumentNullException.ThrowIfNull(trace);
         var (analysed, name) = (JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table, Path.GetFileName(drawing.FileName));
         if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
-        if (measure == RunMeasure.Following && !trace.KnowsFollowing) throw new FormatException(Wording.Get("Trace.NoFollowingError"));
+        if (measure == RunMeasure.Following && !trace.HasFollowing) throw new FormatException(Wording.Get("Trace.NoFollowingError"));
         return RunPlot.Create(analysed, trace, measure, name);
     }
 }

@@ -9,7 +9,7 @@ internal sealed class DrawingRebuild
     private readonly Drawing _drawing;
     private readonly GrowingColumn<DrawingEntity> _entities = new();
     private readonly GrowingColumn<DrawingPart> _parts = new();
-    private readonly Dictionary<int, int> _places = [];
+    private readonly Dictionary<int, int> _newIndices = [];
     private readonly List<Core.Geometry.RationalCurve> _curves = [];
     private ulong _handle;
 
@@ -25,7 +25,7 @@ internal sealed class DrawingRebuild
     /// <summary>Copies an entity unchanged.</summary>
     public void Keep(int index)
     {
-        _places[index] = Count;
+        _newIndices[index] = Count;
         Append(_drawing.Entities[index], PartsOf(_drawing, index));
     }
 
@@ -37,7 +37,7 @@ internal sealed class DrawingRebuild
     /// <summary>Copies an entity with a new shape; it keeps its handle.</summary>
     public void Change(int index, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts)
     {
-        _places[index] = Count;
+        _newIndices[index] = Count;
         Append(_drawing.Entities[index] with { Type = type, Closed = closed, PartCount = parts.Count }, parts);
     }
 
@@ -52,7 +52,7 @@ internal sealed class DrawingRebuild
     public Core.Geometry.RationalCurve CurveOf(in DrawingPart part) => part.CurveIndex < _drawing.Curves.Count ? _drawing.Curves[part.CurveIndex] : _curves[part.CurveIndex - _drawing.Curves.Count];
 
     /// <summary>New indices of entities of the old drawing, without replaced ones.</summary>
-    public IReadOnlyList<int> Places(IEnumerable<int> indices) => [.. indices.Where(_places.ContainsKey).Select(index => _places[index])];
+    public IReadOnlyList<int> NewIndices(IEnumerable<int> indices) => [.. indices.Where(_newIndices.ContainsKey).Select(index => _newIndices[index])];
 
     public Drawing Finish() => _drawing with { Entities = _entities, Parts = _parts, Curves = _curves.Count == 0 ? _drawing.Curves : [.. _drawing.Curves, .. _curves] };
 

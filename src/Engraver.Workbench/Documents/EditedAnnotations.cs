@@ -20,17 +20,17 @@ internal sealed class EditedAnnotations
     }
 
     /// <summary>Number of texts that do not move.</summary>
-    public int TextsLeft => _drawing.Texts.Count - _texts.Count;
+    public int UnmovedTexts => _drawing.Texts.Count - _texts.Count;
 
     /// <summary>Number of points that do not move.</summary>
-    public int PointsLeft => _drawing.Points.Count - _points;
+    public int UnmovedPoints => _drawing.Points.Count - _points;
 
     /// <summary>Selects the texts and points that move with an edit of these curves: all if all curves are edited, the visible ones if all visible curves are
     /// edited.</summary>
     /// <param name="drawing">The drawing before the edit.</param>
     /// <param name="selected">Indices of curves.</param>
     /// <param name="takesLocked">Also those on locked layers: they are only copied, or the whole drawing is edited.</param>
-    public static EditedAnnotations Along(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
+    public static EditedAnnotations ForCurves(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
         var taken = selected.ToHashSet();

@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Documents;
 internal static class EntityOffset
 {
     /// <summary>Fraction of the distance to a point used to test its side: at the centre of a circle the offset through the point vanishes.</summary>
-    private const double NearlyThrough = 1.0 - 1e-6;
+    private const double NearRadiusFraction = 1.0 - 1e-6;
 
     /// <param name="drawing">The drawing.</param>
     /// <param name="entity">Index of the object.</param>
@@ -22,7 +22,7 @@ internal static class EntityOffset
         var options = OffsetOptions.Round(drawing.Scale.ToDrawing(maxErrorMm));
         var away = contour.Segments.Count == 0 ? 0.0 : contour.Segments.Min(segment => SegmentDistance.Measure(segment, side));
         if (!(away > 0.0)) return [];
-        var (left, right) = (Through(contour, NearlyThrough * away, OffsetSide.Left, options), Through(contour, NearlyThrough * away, OffsetSide.Right, options));
+        var (left, right) = (Through(contour, NearRadiusFraction * away, OffsetSide.Left, options), Through(contour, NearRadiusFraction * away, OffsetSide.Right, options));
         var isLeft = Away(left, side) <= Away(right, side); // The point is on the offset that passes through it.
         return Through(contour, distance ?? away, isLeft ? OffsetSide.Left : OffsetSide.Right, options);
     }

@@ -14,14 +14,14 @@ public static class JobPlan
     public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return DriverOf(program).FitToLink(program, address, strategy, drawing.SourceOf);
+        return DriverOf(program).LimitFeedToLink(program, address, strategy, drawing.SourceOf);
     }
 
     /// <summary>The same for the frame of a job, whose slower feed is not a finding.</summary>
     public static MotionProgram FitFrameToLink(MotionProgram frame, ControllerAddress? address)
     {
         var driver = DriverOf(frame);
-        return driver.FitToLink(frame, address, driver.DefaultStrategy, sourceOf: null).Program;
+        return driver.LimitFeedToLink(frame, address, driver.DefaultStrategy, sourceOf: null).Program;
     }
 
     /// <summary>Planned duration of the program over this link.</summary>
@@ -34,7 +34,7 @@ public static class JobPlan
 
     /// <summary>The moves and tool waits of the program, without command times.</summary>
     /// <param name="start">Position of the machine before, counts of the job frame.</param>
-    public static IReadOnlyList<PaceMove> Pace(MotionProgram program, CountsPoint start, ProgramParts parts) => MotionPace.Of(program, start, DriverOf(program).NetworkTimes, parts);
+    public static IReadOnlyList<ScheduledMove> Pace(MotionProgram program, CountsPoint start, ProgramParts parts) => MotionSchedule.Of(program, start, DriverOf(program).NetworkTimes, parts);
 
     private static IMachineDriver DriverOf(MotionProgram program)
     {

@@ -36,10 +36,10 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
 
     private static IEnumerable<DxfSheetEntity> EntitiesOf(PocketCut cut, int number)
     {
-        if (cut.Way.Count > 1)
+        if (cut.Path.Count > 1)
         {
-            var lines = cut.Way.Skip(1).Zip(cut.Way, (to, from) => Segment.FromLine(from.Place, to.Place)).ToList();
-            yield return new DxfSheetEntity(lines[0], Layer, null, 0, number) { Run = lines, Heights = [.. cut.Way.Select(point => point.Z)] };
+            var lines = cut.Path.Skip(1).Zip(cut.Path, (to, from) => Segment.FromLine(from.Place, to.Place)).ToList();
+            yield return new DxfSheetEntity(lines[0], Layer, null, 0, number) { Run = lines, Heights = [.. cut.Path.Select(point => point.Z)] };
         }
 
         var segments = SegmentsOf(cut.Stroke);

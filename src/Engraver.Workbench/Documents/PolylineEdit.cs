@@ -58,17 +58,17 @@ internal static class PolylineEdit
         return (rebuilt, places, gone.Count);
     }
 
-    private static List<PolylineRun> Runs(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
+    private static List<JoinedPolylineParts> Runs(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {
         var parts = indices.Where(index => IsJoinable(drawing, index)).Order().SelectMany(index => DrawingRebuild.PartsOf(drawing, index)).ToList();
         var segments = parts.Select(part => part.InPlan()).ToArray();
-        var runs = new List<PolylineRun>();
+        var runs = new List<JoinedPolylineParts>();
         foreach (var contour in ContourChainer.Chain(segments, tolerance).Contours)
         {
             var pieces = contour.Pieces.ToArray();
             var entities = pieces.Select(piece => parts[piece.Row].Entity).Distinct().ToList();
             var isWhole = entities.Sum(entity => drawing.Entities[entity].PartCount) == pieces.Length;
-            if (entities.Count > 1 && isWhole) runs.Add(new PolylineRun(entities, [.. pieces.Select(piece => piece.Reversed ? parts[piece.Row].Reversed() : parts[piece.Row])], contour.Closed));
+            if (entities.Count > 1 && isWhole) runs.Add(new JoinedPolylineParts(entities, [.. pieces.Select(piece => piece.Reversed ? parts[piece.Row].Reversed() : parts[piece.Row])], contour.Closed));
         }
 
         return runs;
@@ -86,5 +86,5 @@ internal static class PolylineEdit
         _ => CurveType.Arc,
     };
 
-    private sealed record PolylineRun(IReadOnlyList<int> Entities, IReadOnlyList<DrawingPart> Parts, bool Closed);
+    private sealed record JoinedPolylineParts(IReadOnlyList<int> Entities, IReadOnlyList<DrawingPart> Parts, bool Closed);
 }

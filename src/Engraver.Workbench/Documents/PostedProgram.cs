@@ -23,14 +23,14 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public PostForecast? Forecast { get; init; }
 
     /// <summary>Why there is no text, without a full stop.</summary>
-    public string WithoutProgram { get; init; } = "";
+    public string NoProgramReason { get; init; } = "";
 
     /// <param name="options">All options of the post by name.</param>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static PostedProgram Create(Drawing drawing, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(post);
-        if (drawing.Entities.Count == 0) return NothingCut(drawing, settings, drawing.Diagnostics);
+        if (drawing.Entities.Count == 0) return CreateEmpty(drawing, settings, drawing.Diagnostics);
         if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
         var posted = FromSequence(ordered, post, options);
@@ -42,8 +42,8 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
-        if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = job.WithoutProgram };
-        if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { WithoutProgram = job.WithoutProgram };
+        if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = job.NoProgramReason };
+        if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { NoProgramReason = job.NoProgramReason };
         var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
         return Written(written, job.Diagnostics);
     }
@@ -55,20 +55,20 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         var (drawing, settings, sequence) = (job.Drawing, job.Settings, job.Sequence);
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
-        if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
+        if (sequence.Contours == 0) return CreateEmpty(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
-        if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
+        if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { NoProgramReason = PreparedJob.NotAsDrawn(faults) };
         var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.Machine, MaxErrorMm = settings.MaxErrorMm });
         return Written(written, found);
     }
 
-    private static PostedProgram Written(PostText written, IReadOnlyList<Diagnostic> found)
+    private static PostedProgram Written(PostOutput written, IReadOnlyList<Diagnostic> found)
     {
         IReadOnlyList<Diagnostic> all = [.. found, .. written.Diagnostics];
         if (written.Chunks.Count > 0) return new PostedProgram(written.Text, all) { Forecast = written.Forecast };
-        return new PostedProgram(null, all) { WithoutProgram = Wording.Get("PostedProgram.NotWritable", string.Join(", ", written.Diagnostics.Select(finding => finding.Id).Distinct())) };
+        return new PostedProgram(null, all) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", string.Join(", ", written.Diagnostics.Select(finding => finding.Id).Distinct())) };
     }
 
-    private static PostedProgram NothingCut(Drawing drawing, DrawingSettings settings, IReadOnlyList<Diagnostic> found) =>
-        new(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = PreparedJob.NothingCut(NotCutFindings.From(drawing, StageOptions.SelectionOf(settings))) };
+    private static PostedProgram CreateEmpty(Drawing drawing, DrawingSettings settings, IReadOnlyList<Diagnostic> found) =>
+        new(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = PreparedJob.NothingCut(NotCutFindings.From(drawing, StageOptions.SelectionOf(settings))) };
 }

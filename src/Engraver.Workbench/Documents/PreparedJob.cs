@@ -28,13 +28,13 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
 
     /// <summary>The trajectories that replace the drawing, and their document; null for a job of the drawing. <see cref="Drawing"/> then contains their
     /// curves.</summary>
-    public FollowedTrajectories? Followed { get; init; }
+    public FollowedTrajectories? Trajectories { get; init; }
 
     /// <summary>The document's drawing.</summary>
-    public Drawing DocumentDrawing => Followed?.Drawing ?? Source;
+    public Drawing DocumentDrawing => Trajectories?.Drawing ?? Source;
 
     /// <summary>The settings that a record of the job states: those with which its drawing is opened again and cut in the same way.</summary>
-    public DrawingSettings Recorded => (Followed?.Settings ?? Settings).AsOpened(DocumentDrawing);
+    public DrawingSettings Recorded => (Trajectories?.Settings ?? Settings).AsOpened(DocumentDrawing);
 
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
@@ -46,7 +46,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
     /// <summary>Why there is no motion program or it is empty, without a full stop.</summary>
-    public string WithoutProgram => (Faults.Count, Motion.Program) switch
+    public string NoProgramReason => (Faults.Count, Motion.Program) switch
     {
         ( > 0, _) => NotAsDrawn(Faults),
         (_, null) => Wording.Get("PreparedJob.MachineCannotCut", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
@@ -65,7 +65,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     {
         ArgumentNullException.ThrowIfNull(state);
         if (!ReferenceEquals(DocumentDrawing, state.Drawing)) return false;
-        return Followed is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
+        return Trajectories is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
     }
 
     /// <summary>Message about the faults of the toolpath, without a full stop.</summary>

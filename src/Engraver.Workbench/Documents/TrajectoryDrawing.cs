@@ -30,7 +30,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         if (request.Offset is { } offset) work.AddOffsets(sequence, offset);
         else work.AddPaths(sequence);
         if (sequence.Contours == 0 && !DrawingFile.IsUnreadable(drawing)) work.Findings.Add(DocumentRules.NothingToPost.At(default));
-        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. ordered.Cut.FindingsBeside(sequence), .. work.Findings]);
+        return new TrajectoryDrawing(work.Results, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. ordered.Cut.FindingsBeside(sequence), .. work.Findings]);
     }
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
@@ -38,7 +38,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         private readonly TrajectoryOptions _options = new(settings.MaxErrorMm) { SegmentLength = request.SegmentLength, Corners = request.Corners, Z = request.Z };
         private readonly TrajectoryMotion _motion = TrajectoryMotion.Of(settings.Machine);
 
-        public List<NamedTrajectory> Made { get; } = [];
+        public List<NamedTrajectory> Results { get; } = [];
 
         public List<Diagnostic> Findings { get; } = [];
 
@@ -69,8 +69,8 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds / Math.Max(1, result.Files.Count);
             foreach (var file in result.Files)
             {
-                var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
-                Made.Add(named);
+                var named = new NamedTrajectory(name(Results.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
+                Results.Add(named);
                 Findings.AddRange(TrajectoryFindings.LimitsOf(file, named.FileName, _motion));
                 if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsRefused.At(default, named.FileName, FactText.Of(file.VerifiedBound), FactText.Of(settings.MaxErrorMm)));
             }
@@ -86,31 +86,3 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         }
     }
 }
-
-/// <summary>Parameters of the requested trajectories.</summary>
-public sealed record TrajectoryRequest
-{
-    public TrajectoryFormat Format { get; init; } = TrajectoryFormat.Sace;
-
-    public CornerMode Corners { get; init; } = CornerMode.Stop;
-
-    /// <summary>Null for the dynamic density.</summary>
-    public double? SegmentLength { get; init; }
-
-    /// <summary>Height of the machining plane, mm.</summary>
-    public double Z { get; init; }
-
-    /// <summary>Null for trajectories on the contours themselves.</summary>
-    public TrajectoryOffset? Offset { get; init; }
-}
-
-/// <summary>Offset trajectories.</summary>
-/// <param name="Distance">Removal radius of the tool, mm, above 0: the offset of the last pass.</param>
-/// <param name="Passes">At least 1.</param>
-/// <param name="Step">Distance between two passes, mm.</param>
-public sealed record TrajectoryOffset(double Distance, OffsetSide Side, int Passes, double Step);
-
-/// <summary>A trajectory with the name of its file.</summary>
-/// <param name="Source">Handle of its first entity; null if that has none, and for an offset.</param>
-/// <param name="Seconds">Computation time.</param>
-public sealed record NamedTrajectory(string FileName, TrajectoryFile File, string? Source, double Seconds);

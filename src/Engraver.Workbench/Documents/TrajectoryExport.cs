@@ -23,7 +23,7 @@ public static class TrajectoryExport
     }
 
     /// <summary>Findings for trajectories whose equal steps exceed the requested error: they are not written or run unless the operator confirms it.</summary>
-    public static IEnumerable<Diagnostic> NotKept(IEnumerable<DocumentTrajectory> trajectories) => trajectories
+    public static IEnumerable<Diagnostic> ErrorsExceeded(IEnumerable<DocumentTrajectory> trajectories) => trajectories
         .Where(one => one.SegmentLengthMm is not null && one.Curve.VerifiedBound > one.MaxErrorMm)
         .Select(one => TrajectoryRules.StepsRefused.At(default, one.Name, FactText.Of(one.Curve.VerifiedBound), FactText.Of(one.MaxErrorMm)));
 }

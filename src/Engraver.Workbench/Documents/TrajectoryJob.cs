@@ -58,22 +58,22 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
         if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, StageOptions.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
-        var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
+        var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [WithHeight(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var job = JobPreparation.Prepare(splines, own, style);
         var bound = trajectories.Select(one => one.Curve.VerifiedBound).DefaultIfEmpty().Max() + (rises ? 2.0 * arcError : arcError);
-        var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => Raised(segment, one.Curve.Z))).Select(AtHeight)]);
+        var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => WithHeight(segment, one.Curve.Z))).Select(AtHeight)]);
         return new TrajectoryJob(
             job with
             {
                 Analysed = JobPreparation.Analyse(source, own),
                 Settings = own with { MaxErrorMm = bound },
-                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories), .. TrajectoryExport.NotKept(trajectories)],
-                Followed = new FollowedTrajectories(drawing, settings, trajectories),
+                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories), .. TrajectoryExport.ErrorsExceeded(trajectories)],
+                Trajectories = new FollowedTrajectories(drawing, settings, trajectories),
             },
             trajectories,
             bound);
 
-        RaisedSegment AtHeight(RaisedSegment raised) => settings.Machine.Height is null ? Raised(raised.Segment, 0.0) : raised;
+        RaisedSegment AtHeight(RaisedSegment raised) => settings.Machine.Height is null ? WithHeight(raised.Segment, 0.0) : raised;
     }
 
     /// <summary>A warning if there are heights but no tool axis.</summary>
@@ -84,7 +84,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         yield return TrajectoryRules.HeightsNotRun.At(default, FactText.Of(heights.Min()), FactText.Of(heights.Max()));
     }
 
-    private static RaisedSegment Raised(Segment segment, double z) => new(segment, z, z);
+    private static RaisedSegment WithHeight(Segment segment, double z) => new(segment, z, z);
 
     private static List<DocumentTrajectory> Planned(Drawing drawing, DrawingSettings settings, List<Diagnostic> findings)
     {
@@ -101,12 +101,6 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         return made;
     }
 }
-
-/// <summary>The trajectories of a document that replace the drawing in a job.</summary>
-/// <param name="Drawing">Drawing of the document.</param>
-/// <param name="Settings">Settings of the document.</param>
-/// <param name="Trajectories">In run order.</param>
-public sealed record FollowedTrajectories(Drawing Drawing, DrawingSettings Settings, IReadOnlyList<DocumentTrajectory> Trajectories);
 
 /// <summary>Segments in millimetres as a drawing of one layer.</summary>
 internal static class TrajectorySheet

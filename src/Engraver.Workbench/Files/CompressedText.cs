@@ -23,11 +23,11 @@ public static class CompressedText
         var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         var isCompressed = file.ReadByte() == 0x1F && file.ReadByte() == 0x8B; // the first bytes of every gzip file (RFC 1952, 2.3.1)
         file.Position = 0;
-        return new StreamReader(isCompressed ? new TornStream(new GZipStream(file, CompressionMode.Decompress)) : file, s_utf8);
+        return new StreamReader(isCompressed ? new TruncatedStream(new GZipStream(file, CompressionMode.Decompress)) : file, s_utf8);
     }
 
     /// <summary>A compressed stream that ends at the first unreadable byte.</summary>
-    private sealed class TornStream(GZipStream inner) : Stream
+    private sealed class TruncatedStream(GZipStream inner) : Stream
     {
         public override bool CanRead => true;
 

@@ -17,11 +17,11 @@ public static class FileKind
     {
         var full = Path.GetFullPath(path);
         if (OperatingSystem.IsWindows() || !File.Exists(full)) return false;
-        return IsAmongDevices(full) || (OperatingSystem.IsLinux() && Mode(full) is { } mode && (mode & KindMask) != RegularFile);
+        return IsDevicePath(full) || (OperatingSystem.IsLinux() && Mode(full) is { } mode && (mode & KindMask) != RegularFile);
     }
 
     /// <summary>/dev/stdout may be redirected to an ordinary file; an open file of a process is appended to, not replaced.</summary>
-    private static bool IsAmongDevices(string full) =>
+    private static bool IsDevicePath(string full) =>
         (full.StartsWith("/dev/", StringComparison.Ordinal) && !full.StartsWith("/dev/shm/", StringComparison.Ordinal)) || full.StartsWith("/proc/", StringComparison.Ordinal);
 
     /// <summary>Uses statx(2), whose structure is the same on all processors.</summary>

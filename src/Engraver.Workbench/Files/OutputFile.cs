@@ -44,7 +44,7 @@ public static class OutputFile
     {
         using var temporary = new TemporaryFile(path);
         using (var writer = Text(temporary.Create())) write(writer);
-        temporary.TakePlace();
+        temporary.ReplaceTarget();
     }
 
     private static StreamWriter Text(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" };

@@ -7,7 +7,7 @@ internal sealed class TemporaryFile : IDisposable
     private readonly Lock _guard = new();
     private readonly string _target;
     private readonly string _path;
-    private bool _over;
+    private bool _isEnded;
 
     /// <summary>Chooses the temporary name without creating the file.</summary>
     public TemporaryFile(string target)
@@ -24,14 +24,14 @@ internal sealed class TemporaryFile : IDisposable
     {
         lock (_guard)
         {
-            if (_over) throw new OperationCanceledException();
+            if (_isEnded) throw new OperationCanceledException();
             return new FileStream(_path, FileMode.Create, FileAccess.Write, FileShare.Delete);
         }
     }
 
     /// <summary>Replaces the target with what was written.</summary>
     /// <exception cref="IOException">The path cannot be written, or the process is ending.</exception>
-    public void TakePlace() => File.Move(_path, _target, overwrite: true);
+    public void ReplaceTarget() => File.Move(_path, _target, overwrite: true);
 
     public void Dispose()
     {
@@ -44,7 +44,7 @@ internal sealed class TemporaryFile : IDisposable
     {
         lock (_guard)
         {
-            _over = true;
+            _isEnded = true;
             File.Delete(_path);
         }
     }

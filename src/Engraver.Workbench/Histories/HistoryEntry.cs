@@ -103,14 +103,14 @@ public sealed record HistoryEntry
         ArgumentNullException.ThrowIfNull(families);
         var machine = Profile.ValueKind != JsonValueKind.Object ? MachineProfile.Default
             : families.ReadProfile(Profile.GetRawText()) is { Profile: { } read } ? read : throw new FormatException(Wording.Get("History.InvalidProfile"));
-        return SettingWords.Read(Settings, machine);
+        return SettingValues.Read(Settings, machine);
     }
 
     /// <summary>Like <see cref="JobIdentity.Profile"/>; null if the stored profile is invalid.</summary>
     internal string? ProfileHash(MachineFamilies families) => Profile.ValueKind == JsonValueKind.Object && families.ReadProfile(Profile.GetRawText()).Profile is { } machine ? JobIdentity.OfProfile(machine) : null;
 
     /// <summary>Whether the displayed text of the job contains a word.</summary>
-    public bool Holds(string word) =>
+    public bool Matches(string word) =>
         ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
 
     /// <summary>certified, verified or notVerified: the word used in lists and searches.</summary>
@@ -126,22 +126,22 @@ public sealed record HistoryEntry
     public static HistoryEntry OfRun(PreparedJob job, MachineRunOptions options, MachineRunReport report, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(report);
-        return Begun(job, options, report.Result.Outcome, date, simulated, checks) with
+        return CreateRun(job, options, report.Result.Outcome, date, simulated, checks) with
         {
-            Sentence = report.Result.Sentence,
+            Sentence = report.Result.Message,
             Seconds = report.Result.Seconds,
             PlannedSeconds = report.PlannedSeconds,
             MaxDeviation = report.Judgement.MaxDeviationMm,
             MissingLength = report.Judgement.MissingLengthMm,
-            OpenLoop = report.Judgement.MaxDeviationMm is null || report.Unseen.Count == 0 ? null : report.Unseen,
+            OpenLoop = report.Judgement.MaxDeviationMm is null || report.CommandedOnly.Count == 0 ? null : report.CommandedOnly,
         };
     }
 
     /// <summary>Creates the entry of a run that starts now.</summary>
-    public static HistoryEntry OfBegun(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => Begun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Unfinished") };
+    public static HistoryEntry OfStarted(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => CreateRun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Unfinished") };
 
     /// <summary>Creates the entry of a run that could not connect to the machine.</summary>
-    public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => Begun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };
+    public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => CreateRun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };
 
     /// <summary>Creates the entry of a posted program.</summary>
     /// <param name="options">Options of the post.</param>
@@ -156,23 +156,23 @@ public sealed record HistoryEntry
         Options = options,
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
-        Settings = SettingWords.Of(settings.AsOpened(drawing)),
+        Settings = SettingValues.Of(settings.AsOpened(drawing)),
         Profile = ProfileOf(settings),
     };
 
-    private static HistoryEntry Begun(PreparedJob job, MachineRunOptions options, JobOutcome outcome, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
+    private static HistoryEntry CreateRun(PreparedJob job, MachineRunOptions options, JobOutcome outcome, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(options);
         var driver = MachineFamilies.DriverOf(job.Settings.Machine);
-        return OfPost(job.DocumentDrawing, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(driver, options.Strategy.Style)?.Post.Name ?? driver.Key, PostedProgram.NoOptions, file: null, date) with
+        return OfPost(job.DocumentDrawing, job.Trajectories?.Settings ?? job.Settings, PostTable.ForMotion(driver, options.Strategy.Style)?.Post.Name ?? driver.Key, PostedProgram.NoOptions, file: null, date) with
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
-            RanTrajectories = job.Followed is not null,
+            RanTrajectories = job.Trajectories is not null,
             Mode = options.Strategy.Key,
             Address = options.Address.Typed,
-            Outcome = OutcomeText.Word(outcome),
+            Outcome = OutcomeText.Token(outcome),
             Journal = Path.GetFullPath(options.JournalPath),
-            Checks = checks is null ? null : [.. checks.Checks.Select(check => new HistoryCheck(check.Passed, check.IsWarning, check.Sentence))],
+            Checks = checks is null ? null : [.. checks.Checks.Select(check => new HistoryCheck(check.Passed, check.IsWarning, check.Message))],
         };
     }
 
@@ -186,16 +186,5 @@ public sealed record HistoryEntry
 /// <summary>The common part of all versions of an entry.</summary>
 internal sealed record HistoryVersion(int Version = HistoryEntry.CurrentVersion);
 
-/// <summary>Result of reading a program back.</summary>
-/// <param name="Date">Date, UTC.</param>
-/// <param name="MaxDeviation">Millimetres; null when unknown.</param>
-/// <param name="Certificate">Full path of its certificate; null for none.</param>
-public sealed record HistoryReadBack(bool Ok, DateTimeOffset Date, double? MaxDeviation, string? Certificate);
-
 /// <summary>One start check.</summary>
 public sealed record HistoryCheck(bool Ok, bool Warning, string Sentence);
-
-[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", RespectNullableAnnotations = true)]
-[JsonSerializable(typeof(HistoryEntry))]
-[JsonSerializable(typeof(HistoryVersion))]
-internal sealed partial class HistoryJson : JsonSerializerContext;

@@ -11,27 +11,27 @@ namespace Engraver.Workbench.Histories;
 public sealed class JobHistory
 {
     /// <summary>Maximum number of entries.</summary>
-    public const int MostEntries = 1000;
+    public const int MaxEntries = 1000;
 
-    private const string Ending = ".json";
+    private const string FileExtension = ".json";
 
     /// <summary>Subfolder for invalid files.</summary>
-    private const string Aside = "unreadable";
+    private const string UnreadableFolder = "unreadable";
 
     private readonly Lock _guard = new();
     private readonly string? _folder;
-    private readonly int _most;
-    private readonly List<HistoryEntry> _unkept = [];
+    private readonly int _maxEntries;
+    private readonly List<HistoryEntry> _unsaved = [];
 
     /// <param name="folder">Null: the history exists only in memory.</param>
-    /// <param name="most">Maximum number of entries.</param>
-    public JobHistory(string? folder, int most = MostEntries) => (_folder, _most) = (folder, most);
+    /// <param name="maxEntries">Maximum number of entries.</param>
+    public JobHistory(string? folder, int maxEntries = MaxEntries) => (_folder, _maxEntries) = (folder, maxEntries);
 
-    /// <summary>Raised after <see cref="Known"/> has changed, on the thread that changed it.</summary>
+    /// <summary>Raised after <see cref="Snapshot"/> has changed, on the thread that changed it.</summary>
     public event EventHandler? Changed;
 
     /// <summary>The entries of the last reading, plus those added by this process since.</summary>
-    public HistoryReading Known { get; private set; } = new([], []);
+    public HistorySnapshot Snapshot { get; private set; } = new([], []);
 
     /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
     public static string FolderIn(string? journals) => Path.Combine(journals ?? UserFiles.Folder, "history");
@@ -42,21 +42,21 @@ public sealed class JobHistory
     {
         ArgumentNullException.ThrowIfNull(entry);
         var named = entry with { Id = string.Create(CultureInfo.InvariantCulture, $"{entry.Date.UtcDateTime:yyyyMMdd-HHmmss-fff}-{Guid.NewGuid().ToString("N")[..6]}") };
-        return (named, Keep(named));
+        return (named, Save(named));
     }
 
     /// <summary>Rewrites an entry, for example after a report was created.</summary>
     /// <returns>As for <see cref="Add"/>.</returns>
-    public string? Keep(HistoryEntry entry)
+    public string? Save(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
         var failure = Write(entry);
         lock (_guard)
         {
-            if (_folder is null) Place(_unkept, entry);
-            var entries = Known.Entries.ToList();
-            Place(entries, entry);
-            Known = Known with { Entries = entries };
+            if (_folder is null) Insert(_unsaved, entry);
+            var entries = Snapshot.Entries.ToList();
+            Insert(entries, entry);
+            Snapshot = Snapshot with { Entries = entries };
         }
 
         Changed?.Invoke(this, EventArgs.Empty);
@@ -70,19 +70,19 @@ public sealed class JobHistory
     {
         ArgumentNullException.ThrowIfNull(program);
         var path = Path.GetFullPath(program);
-        return Look().Entries.FirstOrDefault(entry => entry.Program == path) is { } entry ? Keep(entry with { ReadBack = found }) : null;
+        return Refresh().Entries.FirstOrDefault(entry => entry.Program == path) is { } entry ? Save(entry with { ReadBack = found }) : null;
     }
 
     /// <summary>Removes an entry.</summary>
     /// <returns>Why that failed, without a full stop; null on success.</returns>
-    public string? Drop(HistoryEntry entry)
+    public string? Remove(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
-        var failure = Erase(entry);
+        var failure = DeleteFile(entry);
         lock (_guard)
         {
-            _unkept.RemoveAll(known => known.Id == entry.Id);
-            Known = Known with { Entries = [.. Known.Entries.Where(known => known.Id != entry.Id)] };
+            _unsaved.RemoveAll(known => known.Id == entry.Id);
+            Snapshot = Snapshot with { Entries = [.. Snapshot.Entries.Where(known => known.Id != entry.Id)] };
         }
 
         Changed?.Invoke(this, EventArgs.Empty);
@@ -90,7 +90,7 @@ public sealed class JobHistory
     }
 
     /// <summary>Reads the index. Invalid files are moved to a subfolder and reported; entries of a later version are skipped.</summary>
-    public HistoryReading Look()
+    public HistorySnapshot Refresh()
     {
         var (entries, findings) = (new List<HistoryEntry>(), new List<string>());
         foreach (var file in Readable(findings))
@@ -100,15 +100,15 @@ public sealed class JobHistory
 
         lock (_guard)
         {
-            entries.AddRange(_unkept);
-            Known = new HistoryReading([.. entries.OrderByDescending(entry => entry.Date).ThenByDescending(entry => entry.Id, StringComparer.Ordinal)], findings);
+            entries.AddRange(_unsaved);
+            Snapshot = new HistorySnapshot([.. entries.OrderByDescending(entry => entry.Date).ThenByDescending(entry => entry.Id, StringComparer.Ordinal)], findings);
         }
 
         Changed?.Invoke(this, EventArgs.Empty);
-        return Known;
+        return Snapshot;
     }
 
-    private static void Place(List<HistoryEntry> entries, HistoryEntry entry)
+    private static void Insert(List<HistoryEntry> entries, HistoryEntry entry)
     {
         var at = entries.FindIndex(known => known.Id == entry.Id);
         if (at >= 0) entries[at] = entry;
@@ -121,17 +121,17 @@ public sealed class JobHistory
         try
         {
             Directory.CreateDirectory(_folder);
-            OutputFile.Write(PathOf(entry.Id), output => output.WriteLine(JsonSerializer.Serialize(entry, HistoryJson.Default.HistoryEntry)));
-            foreach (var old in Files().SkipLast(_most)) File.Delete(old);
+            OutputFile.Write(PathOf(entry.Id), output => output.WriteLine(JsonSerializer.Serialize(entry, HistoryJsonContext.Default.HistoryEntry)));
+            foreach (var old in Files().SkipLast(_maxEntries)) File.Delete(old);
             return null;
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return SystemReason.Of(unwritable);
+            return SystemErrorText.FromException(unwritable);
         }
     }
 
-    private string? Erase(HistoryEntry entry)
+    private string? DeleteFile(HistoryEntry entry)
     {
         if (_folder is null || !Directory.Exists(_folder)) return null;
         try
@@ -141,7 +141,7 @@ public sealed class JobHistory
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return SystemReason.Of(stuck);
+            return SystemErrorText.FromException(stuck);
         }
     }
 
@@ -153,7 +153,7 @@ public sealed class JobHistory
         }
         catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
         {
-            findings.Add(Wording.Get("History.Unreadable", _folder, SystemReason.Of(closed)));
+            findings.Add(Wording.Get("History.Unreadable", _folder, SystemErrorText.FromException(closed)));
             return [];
         }
     }
@@ -163,10 +163,10 @@ public sealed class JobHistory
         try
         {
             var text = File.ReadAllText(file);
-            var version = (JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryVersion) ?? throw new JsonException(Wording.Get("History.ContainsNull"))).Version;
+            var version = (JsonSerializer.Deserialize(text, HistoryJsonContext.Default.HistoryVersion) ?? throw new JsonException(Wording.Get("History.ContainsNull"))).Version;
             if (version <= HistoryEntry.CurrentVersion)
             {
-                var entry = JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryEntry)!;
+                var entry = JsonSerializer.Deserialize(text, HistoryJsonContext.Default.HistoryEntry)!;
                 return entry.Drawing.Length > 0 ? entry with { Id = Path.GetFileNameWithoutExtension(file) } : throw new JsonException(Wording.Get("History.NoDrawing"));
             }
 
@@ -178,19 +178,19 @@ public sealed class JobHistory
         }
         catch (JsonException broken)
         {
-            findings.Add(SetAside(file, SystemReason.Of(broken)));
+            findings.Add(MoveAside(file, SystemErrorText.FromException(broken)));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            findings.Add(Wording.Get("History.Unreadable", file, SystemReason.Of(unreadable)));
+            findings.Add(Wording.Get("History.Unreadable", file, SystemErrorText.FromException(unreadable)));
         }
 
         return null;
     }
 
-    private string SetAside(string file, string why)
+    private string MoveAside(string file, string why)
     {
-        var aside = Path.Combine(_folder!, Aside, Path.GetFileName(file));
+        var aside = Path.Combine(_folder!, UnreadableFolder, Path.GetFileName(file));
         try
         {
             Directory.CreateDirectory(Path.GetDirectoryName(aside)!);
@@ -199,25 +199,12 @@ public sealed class JobHistory
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return Wording.Get("History.Unreadable", file, SystemReason.Of(stuck));
+            return Wording.Get("History.Unreadable", file, SystemErrorText.FromException(stuck));
         }
     }
 
     /// <summary>The oldest first: names start with the date.</summary>
-    private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + Ending).Where(file => !FileKind.IsStream(file)).Order(StringComparer.Ordinal) : [];
+    private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + FileExtension).Where(file => !FileKind.IsStream(file)).Order(StringComparer.Ordinal) : [];
 
-    private string PathOf(string id) => Path.Combine(_folder!, id + Ending);
-}
-
-/// <summary>The contents of the index.</summary>
-/// <param name="Entries">The newest first.</param>
-/// <param name="Findings">A sentence for each invalid file.</param>
-public sealed record HistoryReading(IReadOnlyList<HistoryEntry> Entries, IReadOnlyList<string> Findings)
-{
-    /// <summary>The entry with this name or number (1 is the newest); null if there is none.</summary>
-    public HistoryEntry? Find(string word) =>
-        Entries.FirstOrDefault(entry => entry.Id == word) ?? (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= Entries.Count ? Entries[number - 1] : null);
-
-    /// <summary>The entries that contain a word; all entries for null.</summary>
-    public HistoryReading Holding(string? word) => word is null ? this : this with { Entries = [.. Entries.Where(entry => entry.Holds(word))] };
+    private string PathOf(string id) => Path.Combine(_folder!, id + FileExtension);
 }

@@ -25,7 +25,7 @@ public sealed class ConnectedMachine
     {
         (_time, _status, _interlock, _trail, _originsFolder, _simulatedIsHomed) = (time, status, interlock, trail, originsFolder, simulatedIsHomed);
         Families = families;
-        Watched = new WatchedConnection(time, () => status.Profile.Axes, Poll, status.Lost);
+        Watched = new WatchedConnection(time, () => status.Profile.Axes, Poll, status.LinkLost);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
 
@@ -44,7 +44,7 @@ public sealed class ConnectedMachine
     public bool IsSimulation => Watched.Connection?.Simulator is not null;
 
     /// <summary>The lease of the connected machine, with its work origins; null while none is connected.</summary>
-    public MachineHold? Lease => Located?.Lease;
+    public MachineLease? Lease => Located?.Lease;
 
     /// <summary>Whether the machine is homed; null for one without homing, or while none is connected.</summary>
     public bool? IsHomed => _status.Profile is { HasHoming: true } profile && Lease is { } lease ? lease.IsHomed(profile) : null;
@@ -70,7 +70,7 @@ public sealed class ConnectedMachine
         var identity = Watched.Identity!;
         await LeaseAsync(identity, cancellation).ConfigureAwait(false);
         _status.Connected(Watched.Connection!.Description, IsSimulation, identity);
-        _status.Placed(Lease?.Memory.ActiveOrigin?.Plane);
+        _status.SetFrame(Lease?.Memory.ActiveOrigin?.Plane);
         Poll(poll);
         Watched.Resume();
         return identity;
@@ -84,7 +84,7 @@ public sealed class ConnectedMachine
         Located?.Dispose();
         Located = null;
         _trail.Clear();
-        if (Watched.Take() is not var (connection, watch)) return;
+        if (Watched.Detach() is not var (connection, watch)) return;
         _status.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
         await connection.DisposeAsync().ConfigureAwait(false);
@@ -96,7 +96,7 @@ public sealed class ConnectedMachine
 
     /// <summary>The watch of a controller that nothing else uses.</summary>
     /// <returns>Null while none is connected, or while a motion is under way.</returns>
-    internal async Task<MachineWatch?> FindIdleAsync()
+    internal async Task<MachinePoller?> FindIdleAsync()
     {
         await _interlock.FreeAsync().ConfigureAwait(false);
         return _interlock.IsRunning ? null : Watched.Watch;
@@ -104,7 +104,7 @@ public sealed class ConnectedMachine
 
     /// <summary>The watch of a controller that nothing else uses.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    internal async Task<MachineWatch> IdleAsync() => await FindIdleAsync().ConfigureAwait(false) ?? throw new InvalidOperationException("No controller is connected, or a job runs.");
+    internal async Task<MachinePoller> IdleAsync() => await FindIdleAsync().ConfigureAwait(false) ?? throw new InvalidOperationException("No controller is connected, or a job runs.");
 
     /// <summary>Ends a standby and gives the connection to the controller.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected.</exception>
@@ -118,16 +118,16 @@ public sealed class ConnectedMachine
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
     internal Task<JobResult> MoveAsync(MachineProfile profile, MachineMove move, CancellationToken cancellation) =>
-        MoveAsync(move.Doing, (connection, stop) => move.RunAsync(connection, Lease!, profile, _status.Here, stop), cancellation);
+        MoveAsync(move.Doing, (connection, stop) => move.RunAsync(connection, Lease!, profile, _status.Position, stop), cancellation);
 
     /// <summary>Makes a move by hand.</summary>
     /// <param name="doing">The name of the move, for the status.</param>
     internal Task<JobResult> MoveAsync(string doing, Func<MachineConnection, CancellationToken, Task<JobResult>> move, CancellationToken cancellation) => UseAsync(
-        () => _status.MoveBegins(doing),
+        () => _status.MoveStarted(doing),
         async (connection, stop) =>
         {
             var result = await move(connection, stop).ConfigureAwait(false);
-            _status.MoveEnds(result);
+            _status.MoveEnded(result);
             return result;
         },
         cancellation);
@@ -146,7 +146,7 @@ public sealed class ConnectedMachine
         async stop =>
         {
             begin();
-            await Watched.GiveWayAsync().ConfigureAwait(false);
+            await Watched.PauseAsync().ConfigureAwait(false);
             try
             {
                 return await use(connection, stop).ConfigureAwait(false);
@@ -161,7 +161,7 @@ public sealed class ConnectedMachine
     /// <summary>Asks the controller for its position.</summary>
     /// <returns>Null when the machine was disconnected meanwhile.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    internal async Task<(LocatedMachine Machine, ControllerPlace Place)?> LocateAsync(MachineWatch watch, CancellationToken cancellation)
+    internal async Task<(LocatedMachine Machine, ControllerPosition Place)?> LocateAsync(MachinePoller watch, CancellationToken cancellation)
     {
         if (Located is not { } located) return null;
         var place = await watch.LocateAsync(_status.Profile.Axes, cancellation).ConfigureAwait(false);
@@ -171,16 +171,16 @@ public sealed class ConnectedMachine
 
     /// <summary>Polls the controller once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    internal async Task PollAsync(MachineWatch watch, CancellationToken cancellation) => Poll(await watch.LookAsync(cancellation).ConfigureAwait(false));
+    internal async Task PollAsync(MachinePoller watch, CancellationToken cancellation) => Poll(await watch.PollAsync(cancellation).ConfigureAwait(false));
 
     /// <summary>Takes a poll of the controller.</summary>
     internal void Poll(MachineReading poll)
     {
-        while (Watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
+        while (Watched.Watch is { } watch && watch.TryGetMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
         Located?.Record(poll, _interlock.IsRunning, _status.Profile.Axes);
-        _status.OriginIs(Located?.WhyUnplaced(_status.Profile, poll.Position)); // a job under way is not polled: this is before or after it
-        _status.HomedIs(IsHomed, Lease is { Memory.HomingIsAssumed: true });
-        _status.Seen(poll);
+        _status.SetOriginMissing(Located?.WhyUnplaced(_status.Profile, poll.Position)); // a job under way is not polled: this is before or after it
+        _status.SetHomed(IsHomed, Lease is { Memory.HomingIsAssumed: true });
+        _status.Polled(poll);
     }
 
     /// <summary>Leases the machine before the connection is announced; when another host has the lease, the connection is closed.</summary>
@@ -189,9 +189,9 @@ public sealed class ConnectedMachine
         try
         {
             var place = await Watched.Watch!.LocateAsync(_status.Profile.Axes, cancellation).ConfigureAwait(false);
-            var lease = new MachineMemories(IsSimulation ? null : _originsFolder).Take(Watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
+            var lease = new MachineMemories(IsSimulation ? null : _originsFolder).Acquire(Watched.Connection!.Description, identity, place, LeaseOwner.Describe("CncEngraver", _time));
             Located = new LocatedMachine(lease, place);
-            lease.Recognise(place);
+            lease.CompareZero(place);
             if (_simulatedIsHomed && IsSimulation) lease.AssumeHomed(_status.Profile);
         }
         catch (ControllerException)

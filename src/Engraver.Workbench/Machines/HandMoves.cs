@@ -23,10 +23,10 @@ public sealed class HandMoves
     public OperatorPresence Presence { get; }
 
     /// <summary>The names of the work origins that a homing would lose now.</summary>
-    public IReadOnlyList<string> HomingForgets => _machine.Lease is { } lease ? MachineHoming.WouldLose(lease.Memory, lease.KnowsZero, _status.Profile) : [];
+    public IReadOnlyList<string> HomingForgets => _machine.Lease is { } lease ? MachineHoming.OriginsLost(lease.Memory, lease.IsZeroKnown, _status.Profile) : [];
 
     /// <summary>The notice before a move by hand on a machine that is not homed; null for any other.</summary>
-    public string? UnhomedNotice => _machine.IsHomed == false ? Wording.Get("HandMotion.NotHomed", HandSpeed.Fastest(_status.Profile, isHomed: false)) : null;
+    public string? UnhomedNotice => _machine.IsHomed == false ? Wording.Get("HandMotion.NotHomed", HandSpeed.Max(_status.Profile, isHomed: false)) : null;
 
     /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job is held. It brakes when the jog is released or
     /// the operator gives no signs of life (<see cref="Presence"/>), by a stop, and 0.25 s after the last sign of this program.</summary>
@@ -35,17 +35,17 @@ public sealed class HandMoves
     /// <returns>How it ended; complete when it was released or came to the end of the travel.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<JobResult> JogAsync(HeldJog jog, string journal, CancellationToken cancellation)
+    public async Task<JobResult> JogAsync(ContinuousJog jog, string journal, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(jog);
         await _machine.FreeAsync().ConfigureAwait(false);
         if (_controls.HeldJob is { } held)
         {
-            await using var released = cancellation.UnsafeRegister(key => ((HeldJog)key!).Release(), jog).ConfigureAwait(false);
-            return await held.MoveAsync(HeldMove.While(jog.Control)).ConfigureAwait(false);
+            await using var released = cancellation.UnsafeRegister(key => ((ContinuousJog)key!).Release(), jog).ConfigureAwait(false);
+            return await held.MoveAsync(MoveInHold.While(jog.Control)).ConfigureAwait(false);
         }
 
-        return await _machine.MoveAsync(_status.Profile, MachineMove.Jog(jog.Control, journal, new JobListener(_status.MoveTells)), cancellation).ConfigureAwait(false);
+        return await _machine.MoveAsync(_status.Profile, MachineMove.Jog(jog.Control, journal, new JobListener(_status.MoveProgressed)), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is. A tool on a tool axis
@@ -58,7 +58,7 @@ public sealed class HandMoves
     public Task<JobResult> GoToAsync(CountsPoint goal, string journal, double? feed, CancellationToken cancellation)
     {
         var profile = WithFeed(feed);
-        return _machine.MoveAsync(profile, MachineMove.GoTo(goal, profile, journal, new JobListener(_status.MoveTells)), cancellation);
+        return _machine.MoveAsync(profile, MachineMove.GoTo(goal, profile, journal, new JobListener(_status.MoveProgressed)), cancellation);
     }
 
     /// <summary>Moves the connected machine by a step, as <see cref="GoToAsync"/> does; also a machine that is not homed, which has no travel then and moves
@@ -70,16 +70,16 @@ public sealed class HandMoves
     public async Task<JobResult> StepAsync(CountsPoint goal, bool withHeight, string journal, double? feed, CancellationToken cancellation)
     {
         await _machine.FreeAsync().ConfigureAwait(false);
-        if (_controls.HeldJob is { } held) return await held.MoveAsync(HeldMove.To(goal, withHeight, feed)).ConfigureAwait(false);
+        if (_controls.HeldJob is { } held) return await held.MoveAsync(MoveInHold.To(goal, withHeight, feed)).ConfigureAwait(false);
         var profile = WithFeed(feed);
-        return await _machine.MoveAsync(profile, MachineMove.To(goal, withHeight, isStep: true, profile, journal, new JobListener(_status.MoveTells)), cancellation).ConfigureAwait(false);
+        return await _machine.MoveAsync(profile, MachineMove.To(goal, withHeight, isStep: true, profile, journal, new JobListener(_status.MoveProgressed)), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Homes the connected machine as its profile configures, tool off, and disarms. It is stopped as a job is.</summary>
     /// <param name="journal">Path of the journal to which the state found in the controller is written.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up, or what is known of the machine cannot be stored.</exception>
-    public async Task<HomedMachine> HomeAsync(string journal, CancellationToken cancellation)
+    public async Task<MachineHomingResult> HomeAsync(string journal, CancellationToken cancellation)
     {
         await _machine.FreeAsync().ConfigureAwait(false);
         IReadOnlyList<string> forgotten = [];
@@ -91,13 +91,13 @@ public sealed class HandMoves
                 Wording.Get("MachineSession.Homing"),
                 async (connection, stop) =>
                 {
-                    var homed = await MachineHoming.RunAsync(connection, _machine.Lease!, profile, _status.Here, journal, new JobListener(_status.MoveTells), _time, stop).ConfigureAwait(false);
-                    forgotten = homed.Forgotten;
+                    var homed = await MachineHoming.RunAsync(connection, _machine.Lease!, profile, _status.Position, journal, new JobListener(_status.MoveProgressed), _time, stop).ConfigureAwait(false);
+                    forgotten = homed.LostOrigins;
                     return homed.Result;
                 },
                 cancellation).ConfigureAwait(false);
             _origins.Changed(); // its counts may be different now
-            return new HomedMachine(result, forgotten);
+            return new MachineHomingResult(result, forgotten);
         }
         finally
         {
@@ -123,7 +123,7 @@ public sealed class HandMoves
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => SwitchAsync(watch => watch.SetMotorsAsync(on, cancellation), cancellation);
 
-    private async Task<MachineRefusal?> SwitchAsync(Func<MachineWatch, Task<MachineRefusal?>> change, CancellationToken cancellation)
+    private async Task<MachineRefusal?> SwitchAsync(Func<MachinePoller, Task<MachineRefusal?>> change, CancellationToken cancellation)
     {
         var watch = await _machine.IdleAsync().ConfigureAwait(false);
         _status.Arming.Disarm();

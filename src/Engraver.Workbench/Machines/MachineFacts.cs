@@ -22,14 +22,14 @@ internal sealed record MachineFacts
     public MachineReading? Poll { get; init; }
 
     /// <summary>True if a job has moved the machine since the last poll.</summary>
-    public bool PollIsOld { get; init; }
+    public bool IsPollStale { get; init; }
 
     /// <summary>Why the link is lost; null while connected.</summary>
-    public string? Lost { get; init; }
+    public string? LinkFailure { get; init; }
 
-    public bool JobRuns { get; init; }
+    public bool IsJobRunning { get; init; }
 
-    public bool Stopping { get; init; }
+    public bool IsStopping { get; init; }
 
     public double FeedRatio { get; init; } = 1.0;
 
@@ -42,7 +42,7 @@ internal sealed record MachineFacts
     public bool IsDryRun { get; init; }
 
     /// <summary>The feed hold state of the running job.</summary>
-    public HoldPhase Hold { get; init; }
+    public FeedHoldPhase FeedHold { get; init; }
 
     /// <summary>Outcome of the job whose progress is shown; null while it runs and after it was dismissed
     /// (<see cref="MachineStatusModel.DismissJob"/>).</summary>
@@ -61,7 +61,7 @@ internal sealed record MachineFacts
     public JobProgress? Progress { get; init; }
 
     /// <summary>The last progress of a job or a manual move, whichever is newer.</summary>
-    public JobProgress? Told { get; init; }
+    public JobProgress? LastProgress { get; init; }
 
     /// <summary>Controller counts at the drawing's zero, of the current or last job.</summary>
     public CountsPoint? Frame { get; init; }
@@ -75,14 +75,14 @@ internal sealed record MachineFacts
     public string? LastLink { get; init; }
 
     /// <summary>The last poll if it is current; null while a job runs and after the link was lost.</summary>
-    private MachineReading? Now => JobRuns || Lost is not null ? null : Poll;
+    private MachineReading? Now => IsJobRunning || LinkFailure is not null ? null : Poll;
 
     /// <summary>Time of the last answer of the controller.</summary>
-    public DateTimeOffset SeenAt { get; init; }
+    public DateTimeOffset LastAnswerTime { get; init; }
 
     public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed)
     {
-        if (Link is null) return MachineStatus.Offline with { FeedRatio = FeedRatio, FeedInForce = FeedRatio, RapidRatio = RapidRatio, Time = SeenAt };
+        if (Link is null) return MachineStatus.Offline with { FeedRatio = FeedRatio, FeedInForce = FeedRatio, RapidRatio = RapidRatio, Time = LastAnswerTime };
         var (state, reason) = StateOf(profile.Axes, armed);
         var place = PlaceCounts();
         return new MachineStatus
@@ -97,44 +97,44 @@ internal sealed record MachineFacts
             MachineHeight = place is { } height && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(height.Z) : null,
             WorkHeight = place is { } tool && Frame is { } zero && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(tool.Z - zero.Z) : null,
             FollowingError = Now is not { } look ? null : Millimetres(profile, look.Error) - default(Point2D),
-            Speed = Now is { Moves: false } ? 0.0 : Now?.Speed is { } speed ? profile.Scale.Finer.LengthOf(speed) : null,
+            Speed = Now is { IsMoving: false } ? 0.0 : Now?.Speed is { } speed ? profile.Scale.Finer.LengthOf(speed) : null,
             Inputs = Now?.Inputs,
-            Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
-            ToolCommanded = JobRuns ? Told?.ToolOn : IsToolOn(profile),
-            MotorsOn = JobRuns ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
+            Outputs = IsJobRunning ? LastProgress?.Outputs : Now?.Outputs,
+            ToolCommanded = IsJobRunning ? LastProgress?.ToolOn : IsToolOn(profile),
+            MotorsOn = IsJobRunning ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
             MotorsOff = Now?.MotorsOff,
             Limit = Now?.Limit ?? "",
             LastRefusal = LastRefusal,
             LastOutcome = LastOutcome,
             Progress = Progress is { } told && state is not (MachineState.Ready or MachineState.Armed or MachineState.NoOrigin) ? Engraved(profile, told) : null,
             FeedRatio = FeedRatio,
-            FeedInForce = JobRuns && MoveName is null && Told is { } job ? Math.Min(FeedRatio, job.FeedRatio) : FeedRatio,
+            FeedInForce = IsJobRunning && MoveName is null && LastProgress is { } job ? Math.Min(FeedRatio, job.FeedRatio) : FeedRatio,
             RapidRatio = RapidRatio,
             ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
-            IsDryRun = state == MachineState.Armed ? armed!.DryRun : IsDryRun && (JobRuns || Ended is not null),
+            IsDryRun = state == MachineState.Armed ? armed!.DryRun : IsDryRun && (IsJobRunning || Ended is not null),
             IsHomed = IsHomed,
             HomingIsAssumed = HomingIsAssumed,
-            IsLinkLost = Lost is not null,
+            IsLinkLost = LinkFailure is not null,
             OriginMissing = OriginMissing,
-            Time = SeenAt,
+            Time = LastAnswerTime,
         };
     }
 
-    private (MachineState State, string Reason) StateOf(MachineAxes axes, ArmedJob? armed) => JobRuns ? AtWork() : this switch
+    private (MachineState State, string Reason) StateOf(MachineAxes axes, ArmedJob? armed) => IsJobRunning ? AtWork() : this switch
     {
-        { Lost: { } why } => (MachineState.Fault, why),
+        { LinkFailure: { } why } => (MachineState.Fault, why),
         { Poll: null } => (MachineState.Connected, ""),
         { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, Wording.Get("MachineFacts.AbortInputActive")),
         { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, Wording.Get("MachineFacts.LimitSwitchActive", limit)),
         { Poll.LostPosition: { Length: > 0 } lost } => (MachineState.Fault, Wording.Get("MachineFacts.AxisOff", axes.NamesOf(lost))),
-        { Poll.Moves: true } => (MachineState.Busy, Wording.Get("MachineFacts.OtherMotion")),
-        { Poll.ProgramRuns: true } => (MachineState.Busy, Wording.Get("MachineFacts.OtherProgram")),
+        { Poll.IsMoving: true } => (MachineState.Busy, Wording.Get("MachineFacts.OtherMotion")),
+        { Poll.IsProgramRunning: true } => (MachineState.Busy, Wording.Get("MachineFacts.OtherProgram")),
         { Poll.MotorsOff: { Length: > 0 } off } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes.NamesOf(off))),
         { IsHomed: false } => (MachineState.NotHomed, Wording.Get("MachineFacts.NotHomed")),
         _ when armed is not null => (MachineState.Armed, armed.DryRun ? Wording.Get("MachineFacts.ToolStaysOff") : ""),
         { Ended: JobOutcome.Complete } => (MachineState.Complete, IsDryRun ? Wording.Get("MachineFacts.DryRunCutNothing") : ""),
         { Ended: JobOutcome.Deviated } => (MachineState.Deviated, Wording.Get("MachineFacts.Deviated")),
-        { Ended: { } outcome } => (MachineState.Stopped, OutcomeText.Said(outcome)),
+        { Ended: { } outcome } => (MachineState.Stopped, OutcomeText.DisplayText(outcome)),
         { OriginMissing: { } missing } => (MachineState.NoOrigin, SettingWording.AtCommandLine(missing).Message),
         _ => (MachineState.Ready, ""),
     };
@@ -145,9 +145,9 @@ internal sealed record MachineFacts
         var dry = IsDryRun && MoveName is null ? Wording.Get("MachineFacts.ToolStaysOff") : "";
         return this switch
         {
-            { Stopping: true } => (MachineState.Stopping, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
-            { Hold: HoldPhase.Braking } => (MachineState.Holding, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
-            { Hold: HoldPhase.Held } => (MachineState.Held, dry),
+            { IsStopping: true } => (MachineState.Stopping, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
+            { FeedHold: FeedHoldPhase.Braking } => (MachineState.Holding, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
+            { FeedHold: FeedHoldPhase.Held } => (MachineState.Held, dry),
             { MoveName: { } move } => (MachineState.Moving, move),
             { IsDryRun: true } => (MachineState.DryRun, dry),
             _ => (MachineState.Running, ""),
@@ -160,7 +160,7 @@ internal sealed record MachineFacts
         : Now is { } look && Frame is { } frame ? profile.IsLower(look.Position.Z - frame.Z, profile.RetractCounts) : null;
 
     /// <summary>Position in controller counts; the last known one if the link is lost.</summary>
-    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Told is { } told
+    private CountsPoint? PlaceCounts() => (IsJobRunning || IsPollStale) && LastProgress is { } told
         ? told.Place + (Frame ?? default) // Without a frame only a manual move reports positions, relative to the controller's zero.
         : Poll?.Position;
 
@@ -168,17 +168,4 @@ internal sealed record MachineFacts
         new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.Place), told.ToolOn, told.Seconds) { IsOnPath = told.IsOnPath };
 
     private static Point2D Millimetres(MachineProfile profile, CountsPoint counts) => profile.Scale.ToMillimetres(counts.X, counts.Y);
-}
-
-/// <summary>State of a feed hold.</summary>
-internal enum HoldPhase
-{
-    /// <summary>Not held.</summary>
-    None,
-
-    /// <summary>A hold was requested; the machine decelerates.</summary>
-    Braking,
-
-    /// <summary>The machine is stopped.</summary>
-    Held,
 }

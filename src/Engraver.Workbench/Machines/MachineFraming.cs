@@ -12,16 +12,16 @@ internal static class MachineFraming
     /// <param name="lease">The lease of the machine, with what is stored of it.</param>
     /// <param name="placed">Called with the place of the drawing's zero when it was found, controller counts.</param>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public static async Task<JobResult> RunAsync(MachineConnection connection, MachineHold lease, MotionProgram frame, string journal, Action<CountsPoint?> placed, IProgress<JobProgress> progress, CancellationToken stop)
+    public static async Task<JobResult> RunAsync(MachineConnection connection, MachineLease lease, MotionProgram frame, string journal, Action<CountsPoint?> placed, IProgress<JobProgress> progress, CancellationToken stop)
     {
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
-        var placement = await JobPlacement.FindAsync(machine, lease, frame, dryRun: true, new OriginRequest.Work(), FinishPlace.Stay, clock.Time, stop).ConfigureAwait(false);
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, lease, frame, dryRun: true, new OriginRequest.ActiveOrigin(), FinishPlace.Stay, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found is { Refusal: { } unplaced }) return JobResult.NotStarted(frame.Strokes.Count, unplaced.Message) with { Diagnostics = [unplaced] };
         placed(placement.Found.Frame);
-        placement.Begin();
+        placement.NoteStart();
         var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCFRAME", DryRun = true, Frame = placement.Found.Frame, SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [] };
         var result = await machine.RunAsync(placement.Program, options, progress, stop).ConfigureAwait(false);
-        return placement.End(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, unkept] } : result;
+        return placement.NoteEnd(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, unkept] } : result;
     }
 }

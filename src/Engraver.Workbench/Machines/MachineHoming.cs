@@ -11,50 +11,46 @@ namespace Engraver.Workbench.Machines;
 /// controller gets a new mark, and origins set with the same homing are valid again, also after a power cycle.</remarks>
 internal static class MachineHoming
 {
-    /// <param name="hold">The lease of the machine with its stored state.</param>
+    /// <param name="lease">The lease of the machine with its stored state.</param>
     /// <param name="start">Start position in the frame of the reported progress.</param>
     /// <param name="wall">Clock that provides the number of the mark in the controller.</param>
     /// <exception cref="ControllerException">The link could not be established, or the state of the machine cannot be written; nothing was moved.</exception>
-    public static async Task<HomedMachine> RunAsync(
-        MachineConnection connection, MachineHold hold, MachineProfile profile, CountsPoint start, string journal, IProgress<JobProgress> progress, TimeProvider wall, CancellationToken stop)
+    public static async Task<MachineHomingResult> RunAsync(
+        MachineConnection connection, MachineLease lease, MachineProfile profile, CountsPoint start, string journal, IProgress<JobProgress> progress, TimeProvider wall, CancellationToken stop)
     {
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
-        var place = await machine.LocateAsync(profile.Axes, stop).ConfigureAwait(false);
-        hold.Recognise(place);
-        var before = hold.Memory;
-        var knows = WorkPlacement.LossOf(before, place) is null;
-        if (hold.Set(memory => memory with { Lost = Wording.Get("Homing.Unfinished"), IsMoving = true, Rest = null }) is { } failure) throw MachineMemoryException.NotWritten(failure);
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, stop).ConfigureAwait(false);
+        var place = await machine.ReadPositionAsync(profile.Axes, stop).ConfigureAwait(false);
+        lease.CompareZero(place);
+        var before = lease.Memory;
+        var knows = WorkPlacement.ZeroDoubt(before, place) is null;
+        if (lease.Commit(memory => memory with { Lost = Wording.Get("Homing.Unfinished"), IsMoving = true, RestPosition = null }) is { } failure) throw MachineMemoryException.NotWritten(failure);
         var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCHOME", DryRun = true };
         var (result, shift) = await machine.HomeAsync(new MotionProgram(profile, start, []), options, progress, stop).ConfigureAwait(false);
         if (shift is null)
         {
-            if (result.FrameOrigin is null) hold.Keep(_ => before); // It was refused before any motion.
-            else hold.KeepEnd(result);
-            return new HomedMachine(result, []);
+            if (result.FrameOrigin is null) lease.Update(_ => before); // It was refused before any motion.
+            else lease.NoteMotionEnd(result);
+            return new MachineHomingResult(result, []);
         }
 
         var after = before.Homed(profile, knows ? shift : null);
-        await KeepAsync(machine, hold, profile, after, wall).ConfigureAwait(false);
-        return new HomedMachine(result, [.. before.Origins.Where(origin => !origin.Value.IsAssumed && !after.Origins.ContainsKey(origin.Key)).Select(origin => origin.Key).Order(StringComparer.Ordinal)]);
+        await SaveAsync(machine, lease, profile, after, wall).ConfigureAwait(false);
+        return new MachineHomingResult(result, [.. before.Origins.Where(origin => !origin.Value.IsAssumed && !after.Origins.ContainsKey(origin.Key)).Select(origin => origin.Key).Order(StringComparer.Ordinal)]);
     }
 
     /// <summary>Names of the origins that homing would invalidate: their zero is unknown.</summary>
-    public static IReadOnlyList<string> WouldLose(MachineMemory memory, bool knowsZero, MachineProfile profile) => knowsZero && memory.Lost.Length == 0
+    public static IReadOnlyList<string> OriginsLost(StoredMachineState memory, bool knowsZero, MachineProfile profile) => knowsZero && memory.Lost.Length == 0
         ? []
         : memory.HomedAs == profile.HomedAs ? [] : [.. memory.Origins.Where(origin => !origin.Value.IsAssumed).Select(origin => origin.Key).Order(StringComparer.Ordinal)];
 
     /// <summary>Not cancellable: homing is complete and its result must be stored.</summary>
-    private static async Task KeepAsync(IMachineConnection machine, MachineHold hold, MachineProfile profile, MachineMemory after, TimeProvider wall)
+    private static async Task SaveAsync(IMachineConnection machine, MachineLease lease, MachineProfile profile, StoredMachineState after, TimeProvider wall)
     {
-        var mark = MachineMemory.NewMark(wall.GetUtcNow());
-        if (!await machine.MarkAsync(mark, CancellationToken.None).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoRoomForMark"));
-        var place = await machine.LocateAsync(profile.Axes, CancellationToken.None).ConfigureAwait(false);
-        if (hold.Set(_ => after with { Mark = mark, Clock = place.Clock, Rest = place.Position, IsMoving = false }) is { } failure) throw MachineMemoryException.NotWritten(failure);
-        hold.Recognise(place with { Mark = mark, StoppedHard = "" }); // That was before homing.
+        var mark = StoredMachineState.NewMark(wall.GetUtcNow());
+        if (!await machine.StoreMarkAsync(mark, CancellationToken.None).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoRoomForMark"));
+        var place = await machine.ReadPositionAsync(profile.Axes, CancellationToken.None).ConfigureAwait(false);
+        if (lease.Commit(_ => after with { Mark = mark, Clock = place.Clock, RestPosition = place.Position, IsMoving = false }) is { } failure) throw MachineMemoryException.NotWritten(failure);
+        lease.CompareZero(place with { Mark = mark, StoppedWithoutRamp = "" }); // That was before homing.
     }
 }
-
-/// <summary>Result of homing.</summary>
-/// <param name="Forgotten">Names of the origins that are lost because their zero was already unknown.</param>
-public sealed record HomedMachine(JobResult Result, IReadOnlyList<string> Forgotten);

@@ -14,10 +14,10 @@ namespace Engraver.Workbench.Machines;
 /// <param name="Refuse">Returns why the move is refused for the machine's position; null: allowed.</param>
 /// <param name="Make">Executes the motion; its options contain the active soft limits.</param>
 internal sealed record MachineMove(
-    string Name, string Doing, string Journal, Func<MachineMemory, ControllerPlace, Diagnostic?> Refuse, Func<IMachineConnection, MotionProgram, JobOptions, CancellationToken, Task<JobResult>> Make)
+    string Name, string Doing, string Journal, Func<StoredMachineState, ControllerPosition, Diagnostic?> Refuse, Func<IMachineConnection, MotionProgram, JobOptions, CancellationToken, Task<JobResult>> Make)
 {
     /// <summary>Returns the actual move after the machine's position is known; null: this move. Called only if <see cref="Refuse"/> allows it.</summary>
-    private Func<MachineMemory, ControllerPlace, MachineMove>? Aim { get; init; }
+    private Func<StoredMachineState, ControllerPosition, MachineMove>? Resolve { get; init; }
 
     /// <summary>The machine's own profile, by which it was homed, if the move uses another one; otherwise null.</summary>
     private MachineProfile? Known { get; init; }
@@ -32,7 +32,7 @@ internal sealed record MachineMove(
         (memory, place) => (isStep ? null : WorkPlacement.NotHomed(memory, place, profile)) switch
         {
             { } unhomed => unhomed,
-            _ when memory.KnowsTravel(profile, place) => TravelLimits.Refusal(profile, goal, withHeight),
+            _ when memory.IsTravelKnown(profile, place) => TravelLimits.Refusal(profile, goal, withHeight),
             _ when isStep => TravelLimits.StepRefusal(profile, goal - place.Position, withHeight),
             _ => memory.Lost.Length > 0 ? PreparationRules.PositionDoubted.At(default, memory.Lost) : null,
         },
@@ -45,8 +45,8 @@ internal sealed record MachineMove(
         var flat = To(goal, withHeight: false, isStep: false, profile, journal, progress);
         return profile.Height is null ? flat : flat with
         {
-            Refuse = (memory, place) => flat.Refuse(memory, place) ?? WorkPlacement.Over(memory, place, profile).Refusal,
-            Aim = (memory, place) => To(goal with { Z = WorkPlacement.Over(memory, place, profile).Height!.Value }, withHeight: true, isStep: false, profile, journal, progress),
+            Refuse = (memory, place) => flat.Refuse(memory, place) ?? WorkPlacement.TravelHeight(memory, place, profile).Refusal,
+            Resolve = (memory, place) => To(goal with { Z = WorkPlacement.TravelHeight(memory, place, profile).Height!.Value }, withHeight: true, isStep: false, profile, journal, progress),
         };
     }
 
@@ -59,7 +59,7 @@ internal sealed record MachineMove(
         (machine, program, options, stop) => machine.JogAsync(program, control, options, progress, stop));
 
     /// <summary>A standby for consecutive jogs.</summary>
-    public static MachineMove StandBy(JogStandby standby, string journal, IProgress<JobProgress> progress) => new(
+    public static MachineMove JogStandby(JogStandby standby, string journal, IProgress<JobProgress> progress) => new(
         "CNCJOG",
         Wording.Get("MachineSession.Jogging"),
         journal,
@@ -72,7 +72,7 @@ internal sealed record MachineMove(
         "CNCCOMMISSION",
         Wording.Get("MachineSession.Positioning"),
         journal,
-        (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, goal, withHeight: true) : null,
+        (memory, place) => memory.IsTravelKnown(known, place) ? TravelLimits.Refusal(known, goal, withHeight: true) : null,
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight: true, options, progress, stop)) { Known = known };
 
     /// <summary>A move along a path from the current position, tool off.</summary>
@@ -81,7 +81,7 @@ internal sealed record MachineMove(
         "CNCCOMMISSION",
         Wording.Get("MachineSession.Positioning"),
         journal,
-        (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
+        (memory, place) => memory.IsTravelKnown(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
         (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop)) { Known = known };
 
     /// <summary>Switches the tool output on for the settle time, at standstill.</summary>
@@ -93,31 +93,31 @@ internal sealed record MachineMove(
         (_, _) => null,
         (machine, program, options, stop) => machine.Setup!.PulseAsync(program, options with { DryRun = false }, stop)) { Known = known };
 
-    /// <param name="hold">The lease of the machine with its stored state.</param>
+    /// <param name="lease">The lease of the machine with its stored state.</param>
     /// <param name="start">Start position in the frame of the reported progress.</param>
     /// <exception cref="Engraver.Core.Machines.ControllerException">The link could not be established.</exception>
-    public async Task<JobResult> RunAsync(MachineConnection connection, MachineHold hold, MachineProfile profile, CountsPoint start, CancellationToken stop)
+    public async Task<JobResult> RunAsync(MachineConnection connection, MachineLease lease, MachineProfile profile, CountsPoint start, CancellationToken stop)
     {
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
-        var place = await machine.LocateAsync(profile.Axes, stop).ConfigureAwait(false);
-        hold.Recognise(place);
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, stop).ConfigureAwait(false);
+        var place = await machine.ReadPositionAsync(profile.Axes, stop).ConfigureAwait(false);
+        lease.CompareZero(place);
         var aimed = this;
-        var refused = Refuse(hold.Memory, place);
-        if (refused is null && Aim is not null) refused = (aimed = Aim(hold.Memory, place)).Refuse(hold.Memory, place);
+        var refused = Refuse(lease.Memory, place);
+        if (refused is null && Resolve is not null) refused = (aimed = Resolve(lease.Memory, place)).Refuse(lease.Memory, place);
         if (refused is { } refusal) return JobResult.NotStarted(0, refusal.Message) with { Diagnostics = [refusal] };
         var known = Known ?? profile;
-        var speed = HandSpeed.Fastest(profile, profile.HasHoming ? hold.Memory.IsHomedAt(known, place) : null);
-        if (hold.KeepMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
+        var speed = HandSpeed.Max(profile, profile.HasHoming ? lease.Memory.IsHomedAt(known, place) : null);
+        if (lease.NoteMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
         var options = new JobOptions
         {
             JournalPath = Journal,
             Address = connection.Description,
             DrawingName = Name,
             DryRun = true,
-            SoftLimits = hold.Memory.KnowsTravel(known, place) ? TravelLimits.Of(profile) : [],
+            SoftLimits = lease.Memory.IsTravelKnown(known, place) ? TravelLimits.Of(profile) : [],
         };
         var result = await aimed.Make(machine, new MotionProgram(profile with { RapidMmPerMinute = speed }, start, []), options, stop).ConfigureAwait(false);
-        return hold.KeepEnd(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, PreparationRules.StateNotKept.At(default, unkept)] } : result;
+        return lease.NoteMotionEnd(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, PreparationRules.StateNotKept.At(default, unkept)] } : result;
     }
 }

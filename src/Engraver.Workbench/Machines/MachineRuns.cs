@@ -81,17 +81,17 @@ public sealed class MachineRuns
             ShownJob = job;
             Recorded = null;
             live = LiveTrace.Of(job, given.DryRun);
-            _status.JobBegins(given.DryRun);
+            _status.JobStarted(given.DryRun);
         }
 
         async Task<MachineRunReport> RunOnAsync(MachineConnection connection, CancellationToken stop)
         {
             try
             {
-                var full = given with { Hold = _machine.Lease, Control = _controls.Begin(), Placed = frame => _status.Placed(frame) };
+                var full = given with { Lease = _machine.Lease, Control = _controls.Begin(), FrameFound = frame => _status.SetFrame(frame) };
                 var report = await MachineRun.RunAsync(job, program, connection, full, _time, Listener(_status, live), stop).ConfigureAwait(false);
                 Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
-                _status.JobEnds(report.Result);
+                _status.JobEnded(report.Result);
                 if (report.Result.Outcome == JobOutcome.Complete && !given.DryRun) Part = null;
                 return LastRun = report;
             }
@@ -136,11 +136,11 @@ public sealed class MachineRuns
         var fitted = JobPlan.FitFrameToLink(frame, _machine.Watched.Address!);
         return await _machine.UseAsync(
             free,
-            () => _status.MoveBegins(Wording.Get("MachineSession.Frame")),
+            () => _status.MoveStarted(Wording.Get("MachineSession.Frame")),
             async (connection, stop) =>
             {
-                var result = await MachineFraming.RunAsync(connection, _machine.Lease!, fitted, journal, _status.Placed, new JobListener(_status.MoveTells), stop).ConfigureAwait(false);
-                if (result.FrameOrigin is not null) _status.MoveEnds(result);
+                var result = await MachineFraming.RunAsync(connection, _machine.Lease!, fitted, journal, _status.SetFrame, new JobListener(_status.MoveProgressed), stop).ConfigureAwait(false);
+                if (result.FrameOrigin is not null) _status.MoveEnded(result);
                 return result;
             },
             cancellation).ConfigureAwait(false);
@@ -149,7 +149,7 @@ public sealed class MachineRuns
     /// <summary>Where an interrupted job resumes, by its journal and by what the connected controller has stored.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
+    public async Task<ResumePosition> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
     {
         var watch = await _machine.IdleAsync().ConfigureAwait(false);
         return await watch.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false);
@@ -178,7 +178,7 @@ public sealed class MachineRuns
     {
         Progress = value;
         if (live?.Add(value) is { } soFar) Recorded = soFar;
-        status?.JobTells(value);
+        status?.JobProgressed(value);
         _status.RaiseChanged();
     });
 }

@@ -22,7 +22,7 @@ public sealed class MachineSession : IAsyncDisposable
     public MachineSession(TimeProvider time, string? originsFolder = null, bool simulatedIsHomed = false, MachineFamilies? families = null)
     {
         _status = new MachineStatusModel(time, RaiseChanged);
-        _interlock = new MotionInterlock(_status.JobIsOver, RaiseChanged);
+        _interlock = new MotionInterlock(_status.ClearJob, RaiseChanged);
         Connection = new ConnectedMachine(time, _status, _interlock, Trail, originsFolder, simulatedIsHomed, families ?? MachineFamilies.Standard);
         Controls = new OperatorControls(Connection, _interlock, _status);
         Runs = new MachineRuns(Connection, _interlock, Controls, _status, time);

@@ -34,7 +34,7 @@ public sealed class MachineSetup
     /// <param name="goal">The controller's own counts.</param>
     /// <param name="test">The axes of the machine's profile in the same order, and the speed.</param>
     /// <param name="journal">Path of the journal to which the state found in the controller is written.</param>
-    public Task<JobResult> TestMoveAsync(CountsPoint goal, MachineProfile test, string journal, CancellationToken cancellation) => _machine.MoveAsync(test, MachineMove.Test(goal, _status.Profile, journal, new JobListener(_status.MoveTells)), cancellation);
+    public Task<JobResult> TestMoveAsync(CountsPoint goal, MachineProfile test, string journal, CancellationToken cancellation) => _machine.MoveAsync(test, MachineMove.Test(goal, _status.Profile, journal, new JobListener(_status.MoveProgressed)), cancellation);
 
     /// <summary>Follows a path from the machine's position, tool off. It is stopped as a job is.</summary>
     /// <param name="path">Begins at 0,0, the machine's position; its profile has the axes of the machine's in the same order.</param>
@@ -42,7 +42,7 @@ public sealed class MachineSetup
     public Task<JobResult> TestPathAsync(MotionProgram path, string journal, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(path);
-        return _machine.MoveAsync(path.Profile, MachineMove.Path(path, _status.Profile, journal, new JobListener(_status.MoveTells)), cancellation);
+        return _machine.MoveAsync(path.Profile, MachineMove.Path(path, _status.Profile, journal, new JobListener(_status.MoveProgressed)), cancellation);
     }
 
     /// <summary>Switches the tool output of a profile on for its settle time, at standstill.</summary>

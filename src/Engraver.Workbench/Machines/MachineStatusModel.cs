@@ -19,7 +19,7 @@ internal sealed class MachineStatusModel : IDisposable
     private JobResult? _ended;
 
     /// <summary>True after the alarm of a lost link was raised by the job or by a poll.</summary>
-    private volatile bool _lossIsTold;
+    private volatile bool _isLossReported;
 
     public MachineStatusModel(TimeProvider time, Action changed)
     {
@@ -57,7 +57,7 @@ internal sealed class MachineStatusModel : IDisposable
                 _profile = value;
             }
 
-            DisarmOrTell();
+            DisarmOrNotify();
         }
     }
 
@@ -78,115 +78,115 @@ internal sealed class MachineStatusModel : IDisposable
         Link = link,
         IsSimulation = isSimulation,
         Identity = identity,
-        SeenAt = _time.GetUtcNow(),
+        LastAnswerTime = _time.GetUtcNow(),
         LastLink = link,
         LastOutcome = !isSimulation && before.LastLink == link ? before.LastOutcome : null,
     });
 
     public void Disconnected()
     {
-        Change(before => MachineFacts.None with { FeedRatio = before.FeedRatio, RapidRatio = before.RapidRatio, SeenAt = _time.GetUtcNow(), LastLink = before.LastLink, LastOutcome = before.LastOutcome });
-        DisarmOrTell();
+        Change(before => MachineFacts.None with { FeedRatio = before.FeedRatio, RapidRatio = before.RapidRatio, LastAnswerTime = _time.GetUtcNow(), LastLink = before.LastLink, LastOutcome = before.LastOutcome });
+        DisarmOrNotify();
     }
 
     /// <summary>Processes a poll; a difference from the previous one disarms.</summary>
-    public void Seen(MachineReading poll)
+    public void Polled(MachineReading poll)
     {
         MachineReading? before;
         lock (_guard)
         {
             if (_facts.Link is null) return;
             before = _facts.Poll;
-            _facts = _facts with { Poll = poll, PollIsOld = false, Lost = null, SeenAt = _time.GetUtcNow() };
+            _facts = _facts with { Poll = poll, IsPollStale = false, LinkFailure = null, LastAnswerTime = _time.GetUtcNow() };
         }
 
-        MachineAlarms.Seen(Alarms, poll, Profile.Axes, Link, Interlocked.Exchange(ref _ended, null));
-        _lossIsTold = false;
-        if (before is not null && poll.DiffersFrom(before)) DisarmOrTell();
+        MachineAlarms.Polled(Alarms, poll, Profile.Axes, Link, Interlocked.Exchange(ref _ended, null));
+        _isLossReported = false;
+        if (before is not null && poll.DiffersFrom(before)) DisarmOrNotify();
         else _changed();
     }
 
-    public void Lost(ControllerException failure)
+    public void LinkLost(ControllerException failure)
     {
         lock (_guard)
         {
             if (_facts.Link is null) return;
-            _facts = _facts with { Lost = failure.Message };
+            _facts = _facts with { LinkFailure = failure.Message };
         }
 
-        if (Interlocked.Exchange(ref _ended, null) is { } ended) MachineAlarms.Ended(Alarms, ended, Link);
-        if (!_lossIsTold) MachineAlarms.LinkLost(Alarms, Link, failure.Message);
-        _lossIsTold = true;
-        DisarmOrTell();
+        if (Interlocked.Exchange(ref _ended, null) is { } ended) MachineAlarms.JobEnded(Alarms, ended, Link);
+        if (!_isLossReported) MachineAlarms.LinkLost(Alarms, Link, failure.Message);
+        _isLossReported = true;
+        DisarmOrNotify();
     }
 
     /// <summary>Raises the alarm of a refused command of the operator.</summary>
     public void Refused(MachineRefusal refused)
     {
-        NoteRefusal(refused.Sentence);
+        NoteRefusal(refused.Message);
         MachineAlarms.Refused(Alarms, refused, Link);
     }
 
     /// <summary>Notes the refusal of a typed line. It raises no alarm, because the operator sees the answer.</summary>
     public void NoteRefusal(string text) => Change(facts => facts with { LastRefusal = text });
 
-    public void JobBegins(bool isDryRun) => Begins(facts => facts with { Progress = null, Ended = null, IsDryRun = isDryRun, MoveName = null });
+    public void JobStarted(bool isDryRun) => Start(facts => facts with { Progress = null, Ended = null, IsDryRun = isDryRun, MoveName = null });
 
     /// <summary>Notes the start of a manual move; the progress of the last job is kept.</summary>
     /// <param name="name">The displayed name of the move.</param>
-    public void MoveBegins(string name) => Begins(facts => facts with { MoveName = name });
+    public void MoveStarted(string name) => Start(facts => facts with { MoveName = name });
 
     /// <summary>Notes that a feed hold or a resume was requested; the job reports when it has stopped and when it continues.</summary>
-    public void HoldAsked(bool held) => Change(facts => facts with { Hold = (facts.Hold, held) switch { (HoldPhase.None, true) when facts.JobRuns => HoldPhase.Braking, (HoldPhase.Braking, false) => HoldPhase.None, _ => facts.Hold } });
+    public void FeedHoldRequested(bool held) => Change(facts => facts with { FeedHold = (facts.FeedHold, held) switch { (FeedHoldPhase.None, true) when facts.IsJobRunning => FeedHoldPhase.Braking, (FeedHoldPhase.Braking, false) => FeedHoldPhase.None, _ => facts.FeedHold } });
 
     /// <summary>Dismisses the last job, because another one is armed, or the drawing or the origin has changed.</summary>
-    public void DismissJob() => Change(facts => facts.JobRuns ? facts : facts with { Progress = null, Ended = null, IsDryRun = false });
+    public void DismissJob() => Change(facts => facts.IsJobRunning ? facts : facts with { Progress = null, Ended = null, IsDryRun = false });
 
     /// <summary>Notes whether the position of the drawing's zero is known.</summary>
     /// <param name="missing">Why it is unknown and what to do; null when it is known.</param>
-    public void OriginIs(Diagnostic? missing) => Change(facts => facts with { OriginMissing = missing });
+    public void SetOriginMissing(Diagnostic? missing) => Change(facts => facts with { OriginMissing = missing });
 
     /// <param name="isHomed">Null for a machine without homing.</param>
     /// <param name="isAssumed">The machine is simulated and was not homed.</param>
-    public void HomedIs(bool? isHomed, bool isAssumed) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
+    public void SetHomed(bool? isHomed, bool isAssumed) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
 
-    private void Begins(Func<MachineFacts, MachineFacts> also)
+    private void Start(Func<MachineFacts, MachineFacts> also)
     {
-        Change(facts => also(facts) with { JobRuns = true, PollIsOld = true, Stopping = false, Hold = HoldPhase.None, Told = null });
-        MachineAlarms.Begun(Alarms);
-        DisarmOrTell();
+        Change(facts => also(facts) with { IsJobRunning = true, IsPollStale = true, IsStopping = false, FeedHold = FeedHoldPhase.None, LastProgress = null });
+        MachineAlarms.JobStarted(Alarms);
+        DisarmOrNotify();
     }
 
     /// <summary>Notes the position of the drawing's zero.</summary>
     /// <param name="frame">Controller counts; null when unknown.</param>
-    public void Placed(CountsPoint? frame) => Change(facts => facts with { Frame = frame });
+    public void SetFrame(CountsPoint? frame) => Change(facts => facts with { Frame = frame });
 
-    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow(), Hold = HoldOf(facts.Hold, progress.Phase) });
+    public void JobProgressed(JobProgress progress) => Change(facts => facts with { Progress = progress, LastProgress = progress, LastAnswerTime = _time.GetUtcNow(), FeedHold = NextFeedHold(facts.FeedHold, progress.Phase) });
 
     /// <summary>A requested feed hold that the job has not processed yet remains requested.</summary>
-    private static HoldPhase HoldOf(HoldPhase before, JobPhase phase) => phase switch
+    private static FeedHoldPhase NextFeedHold(FeedHoldPhase before, JobPhase phase) => phase switch
     {
-        JobPhase.Held => HoldPhase.Held,
-        JobPhase.Holding => HoldPhase.Braking,
-        JobPhase.Running when before == HoldPhase.Braking => HoldPhase.Braking,
-        _ => HoldPhase.None,
+        JobPhase.Held => FeedHoldPhase.Held,
+        JobPhase.Holding => FeedHoldPhase.Braking,
+        JobPhase.Running when before == FeedHoldPhase.Braking => FeedHoldPhase.Braking,
+        _ => FeedHoldPhase.None,
     };
 
     /// <summary>Takes the progress of a move by hand, and raises the change.</summary>
-    public void MoveTells(JobProgress progress)
+    public void MoveProgressed(JobProgress progress)
     {
-        Change(facts => facts with { Told = progress, SeenAt = _time.GetUtcNow() });
+        Change(facts => facts with { LastProgress = progress, LastAnswerTime = _time.GetUtcNow() });
         _changed();
     }
 
-    public void JobEnds(JobResult result)
+    public void JobEnded(JobResult result)
     {
-        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal, LastOutcome = result.FrameOrigin is null ? facts.LastOutcome : result.Outcome, Ended = result.FrameOrigin is null ? null : result.Outcome });
-        TellEnd(result);
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Message ?? facts.LastRefusal, LastOutcome = result.FrameOrigin is null ? facts.LastOutcome : result.Outcome, Ended = result.FrameOrigin is null ? null : result.Outcome });
+        RaiseEndAlarm(result);
     }
 
     /// <summary>Raises the alarm of a job's end: a lost link at once, any other end after the next poll.</summary>
-    private void TellEnd(JobResult result)
+    private void RaiseEndAlarm(JobResult result)
     {
         if (result.Outcome != JobOutcome.LinkLost)
         {
@@ -194,19 +194,19 @@ internal sealed class MachineStatusModel : IDisposable
             return;
         }
 
-        MachineAlarms.Ended(Alarms, result, Link);
-        _lossIsTold = true;
+        MachineAlarms.JobEnded(Alarms, result, Link);
+        _isLossReported = true;
     }
 
     /// <summary>Notes the end of a manual move; frame and outcome of the last job are kept.</summary>
-    public void MoveEnds(JobResult result)
+    public void MoveEnded(JobResult result)
     {
-        Change(facts => facts with { LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal });
-        TellEnd(result);
+        Change(facts => facts with { LastRefusal = result.Refusal?.Message ?? facts.LastRefusal });
+        RaiseEndAlarm(result);
     }
 
     /// <summary>Position in the frame of the last job, or relative to the controller's zero before the first.</summary>
-    public CountsPoint Here
+    public CountsPoint Position
     {
         get
         {
@@ -215,16 +215,16 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>Notes that no job or move is active.</summary>
-    public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false, Hold = HoldPhase.None, MoveName = null });
+    public void ClearJob() => Change(facts => facts with { IsJobRunning = false, IsStopping = false, FeedHold = FeedHoldPhase.None, MoveName = null });
 
     /// <summary>Notes new overrides.</summary>
-    public void Overridden(double feed, double rapid) => Change(facts => facts with { FeedRatio = feed, RapidRatio = rapid });
+    public void SetOverrides(double feed, double rapid) => Change(facts => facts with { FeedRatio = feed, RapidRatio = rapid });
 
     /// <summary>Notes that a stop was requested. The change is raised later by <see cref="StopSent"/>, because the stop must be sent first.</summary>
-    public void StopAsked() => Change(facts => facts with { Stopping = facts.JobRuns });
+    public void StopRequested() => Change(facts => facts with { IsStopping = facts.IsJobRunning });
 
     /// <summary>Notes that the stop was sent.</summary>
-    public void StopSent() => DisarmOrTell();
+    public void StopSent() => DisarmOrNotify();
 
     /// <summary>Announces a change of the session that other parts of it have made.</summary>
     public void RaiseChanged() => _changed();
@@ -237,7 +237,7 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>Disarms, which raises the change; otherwise raises the change directly.</summary>
-    private void DisarmOrTell()
+    private void DisarmOrNotify()
     {
         if (!Arming.Disarm()) _changed();
     }

@@ -19,7 +19,7 @@ internal sealed class MotionInterlock(Action over, Action changed)
     private readonly Lock _guard = new();
     private CancellationTokenSource? _stop;
     private Task _ended = Task.CompletedTask;
-    private ReadyMachine? _ready;
+    private StandbyMachine? _ready;
 
     /// <summary>Ends the motion under way; null when none is.</summary>
     public CancellationTokenSource? Stop
@@ -37,16 +37,16 @@ internal sealed class MotionInterlock(Action over, Action changed)
     public bool IsKeptReady => Ready is { Standby.Pressed: null };
 
     /// <summary>Jogs for which the controller is kept ready, also while one of them is under way; null when there are none.</summary>
-    public ReadyMachine? Ready => Volatile.Read(ref _ready);
+    public StandbyMachine? Ready => Volatile.Read(ref _ready);
 
     /// <summary>The motion that begins next keeps the controller ready for jogs.</summary>
-    public void KeepReady(ReadyMachine ready) => Volatile.Write(ref _ready, ready);
+    public void KeepReady(StandbyMachine ready) => Volatile.Write(ref _ready, ready);
 
     /// <summary>The controller has been left as it was found.</summary>
-    public void EndReady(ReadyMachine ready)
+    public void EndReady(StandbyMachine ready)
     {
         Interlocked.CompareExchange(ref _ready, null, ready);
-        ready.Leave();
+        ready.Close();
     }
 
     /// <summary>Ends the standby of a controller that is only kept ready, and waits for its end; does nothing otherwise.</summary>
@@ -54,7 +54,7 @@ internal sealed class MotionInterlock(Action over, Action changed)
     {
         if (Ready is not { Standby.Pressed: null } ready) return Task.CompletedTask;
         ready.Standby.Leave();
-        return ready.Left;
+        return ready.Closed;
     }
 
     /// <summary>Runs a motion, which <see cref="Stop"/> and the caller's token end.</summary>
@@ -96,17 +96,4 @@ internal sealed class MotionInterlock(Action over, Action changed)
 
         await ended.ConfigureAwait(false);
     }
-}
-
-/// <summary>A controller that is kept ready for jogs.</summary>
-/// <param name="Profile">The profile for which it was prepared.</param>
-/// <param name="First">The jog for which it was made ready; null when none was requested yet.</param>
-internal sealed record ReadyMachine(JogStandby Standby, MachineProfile Profile, Task<JobResult>? First)
-{
-    private readonly TaskCompletionSource _left = new(TaskCreationOptions.RunContinuationsAsynchronously);
-
-    /// <summary>Completes when the controller has been left as it was found.</summary>
-    public Task Left => _left.Task;
-
-    public void Leave() => _left.TrySetResult();
 }

@@ -39,7 +39,7 @@ public sealed class OperatorControls
         if (reason is not null && Job is { } control) control.StopReason = reason;
         var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
-        else if (watch is not null) _machine.Watched.ActUrgently(watch, one => one.StopAsync(_status.Profile.OffAtStop));
+        else if (watch is not null) _machine.Watched.RunUrgently(watch, one => one.StopAsync(_status.Profile.OffAtStop));
         _status.StopSent();
         return job is not null;
     }
@@ -51,7 +51,7 @@ public sealed class OperatorControls
     public bool Abort()
     {
         var (job, watch) = AtWork();
-        if (watch is not null) _machine.Watched.ActUrgently(watch, one => one.AbortAsync(_status.Profile.OffAtAbort));
+        if (watch is not null) _machine.Watched.RunUrgently(watch, one => one.AbortAsync(_status.Profile.OffAtAbort));
         if (job is not null) UrgentThread.Run(job.Cancel);
         _status.StopSent();
         return watch is not null;
@@ -72,7 +72,7 @@ public sealed class OperatorControls
     public (double Feed, double Rapid) Override(double? feed, double? rapid)
     {
         var (newFeed, newRapid) = Set(feed, rapid);
-        _status.Overridden(newFeed, newRapid);
+        _status.SetOverrides(newFeed, newRapid);
         _status.RaiseChanged();
         return (newFeed, newRapid);
     }
@@ -110,14 +110,14 @@ public sealed class OperatorControls
     {
         if (Job is not { } control || _interlock.Stop is not { IsCancellationRequested: false }) return false;
         act(control);
-        _status.HoldAsked(held);
+        _status.FeedHoldRequested(held);
         _status.RaiseChanged();
         return true;
     }
 
-    private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
+    private (CancellationTokenSource? Job, MachinePoller? Watch) AtWork()
     {
-        _status.StopAsked();
+        _status.StopRequested();
         var watch = _machine.Watched.Watch;
         return (_interlock.Stop, watch); // in this order: a job that begins meanwhile is stopped as well
     }

@@ -8,14 +8,14 @@ namespace Engraver.Workbench.Machines;
 public sealed class OperatorPresence(TimeProvider time, Action changed)
 {
     /// <summary>Interval of the signals.</summary>
-    public static readonly TimeSpan Beat = TimeSpan.FromMilliseconds(50);
+    public static readonly TimeSpan SignInterval = TimeSpan.FromMilliseconds(50);
 
-    private static readonly TimeSpan s_patience = TimeSpan.FromMilliseconds(300);
+    private static readonly TimeSpan s_timeout = TimeSpan.FromMilliseconds(300);
     private readonly Lock _guard = new();
-    private readonly List<HeldJog> _jogs = [];
+    private readonly List<ContinuousJog> _jogs = [];
     private ITimer? _watch;
-    private long _heard;
-    private long _looked;
+    private long _lastSign;
+    private long _lastCheck;
 
     /// <summary>True while a jog is active or starting and signals are required.</summary>
     public bool IsNeeded
@@ -27,14 +27,14 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
     }
 
     /// <summary>A key is pressed: signals are required until the jog is disposed.</summary>
-    public HeldJog Begin(JogVelocity velocity)
+    public ContinuousJog BeginJog(JogVelocity velocity)
     {
-        var jog = new HeldJog(new JogControl(velocity), End);
+        var jog = new ContinuousJog(new JogControl(velocity), End);
         lock (_guard)
         {
             _jogs.Add(jog);
-            _heard = _looked = time.GetTimestamp();
-            _watch ??= time.CreateTimer(_ => Look(), null, Beat, Beat);
+            _lastSign = _lastCheck = time.GetTimestamp();
+            _watch ??= time.CreateTimer(_ => CheckSigns(), null, SignInterval, SignInterval);
         }
 
         changed();
@@ -44,33 +44,33 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
     /// <summary>Signals that the front end is responsive and has the focus.</summary>
     public void Sign()
     {
-        lock (_guard) _heard = time.GetTimestamp();
+        lock (_guard) _lastSign = time.GetTimestamp();
     }
 
     /// <summary>The operator has left: releases every jog. The stop is sent on this thread without waiting for the reply.</summary>
-    public void Leave()
+    public void ReleaseAll()
     {
-        foreach (var jog in Jogs()) jog.Lose(isLate: false);
+        foreach (var jog in Jogs()) jog.Abandon(isLate: false);
     }
 
-    private void Look()
+    private void CheckSigns()
     {
         lock (_guard)
         {
-            var isHeldUp = time.GetElapsedTime(_looked) > 2 * Beat; // This process itself was delayed: pending signals may be processed right after this.
-            _looked = time.GetTimestamp();
-            if (isHeldUp || time.GetElapsedTime(_heard) < s_patience) return;
+            var isHeldUp = time.GetElapsedTime(_lastCheck) > 2 * SignInterval; // This process itself was delayed: pending signals may be processed right after this.
+            _lastCheck = time.GetTimestamp();
+            if (isHeldUp || time.GetElapsedTime(_lastSign) < s_timeout) return;
         }
 
-        foreach (var jog in Jogs()) jog.Lose(isLate: true);
+        foreach (var jog in Jogs()) jog.Abandon(isLate: true);
     }
 
-    private HeldJog[] Jogs()
+    private ContinuousJog[] Jogs()
     {
         lock (_guard) return [.. _jogs];
     }
 
-    private void End(HeldJog jog)
+    private void End(ContinuousJog jog)
     {
         lock (_guard)
         {
@@ -83,41 +83,5 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
         }
 
         changed();
-    }
-}
-
-/// <summary>One continuous jog: it moves while its key is pressed and the front end sends signals (<see cref="OperatorPresence"/>). Any thread.</summary>
-public sealed class HeldJog : IDisposable
-{
-    private readonly TaskCompletionSource<bool> _lost = new(TaskCreationOptions.RunContinuationsAsynchronously);
-    private readonly Action<HeldJog> _end;
-
-    internal HeldJog(JogControl control, Action<HeldJog> end) => (Control, _end) = (control, end);
-
-    /// <summary>True after the jog was released for any reason.</summary>
-    public bool IsReleased => Control.Released.IsCompleted;
-
-    /// <summary>Completes when the jog is released without a key release: true for missing signals, false if the operator has left.</summary>
-    public Task<bool> Lost => _lost.Task;
-
-    internal JogControl Control { get; }
-
-    /// <summary>Changes the speed in the same direction.</summary>
-    public void Steer(double mmPerMinute) => Control.Velocity = Control.Velocity.At(mmPerMinute);
-
-    /// <summary>The key is released: the machine decelerates. The stop is sent on this thread without waiting for the reply.</summary>
-    public void Release() => Control.Release();
-
-    public void Dispose()
-    {
-        Release();
-        _end(this);
-    }
-
-    internal void Lose(bool isLate)
-    {
-        if (IsReleased) return;
-        _lost.TrySetResult(isLate);
-        Release();
     }
 }

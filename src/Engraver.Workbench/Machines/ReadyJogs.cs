@@ -24,7 +24,7 @@ public sealed class ReadyJogs
     /// <summary>Moves as <see cref="HandMoves.JogAsync"/> does, and stays ready for the next jog.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up, or what is known of the machine cannot be stored.</exception>
-    public async Task<JobResult> JogAsync(HeldJog held, string journal)
+    public async Task<JobResult> JogAsync(ContinuousJog held, string journal)
     {
         ArgumentNullException.ThrowIfNull(held);
         if (_controls.IsHeld) return await _hand.JogAsync(held, journal, CancellationToken.None).ConfigureAwait(false); // a job that is held needs no preparation
@@ -39,29 +39,29 @@ public sealed class ReadyJogs
     public async Task PrepareAsync(string journal)
     {
         if (_interlock.Ready is not null || _interlock.IsRunning) return;
-        await (await BeginAsync(null, journal).ConfigureAwait(false)).Left.ConfigureAwait(false);
+        await (await BeginAsync(null, journal).ConfigureAwait(false)).Closed.ConfigureAwait(false);
     }
 
-    private async Task<ReadyMachine> BeginAsync(JogControl? control, string journal)
+    private async Task<StandbyMachine> BeginAsync(JogControl? control, string journal)
     {
         var connection = await _machine.FreeAsync().ConfigureAwait(false);
         if (_interlock.IsRunning) throw new InvalidOperationException("A job runs already.");
-        var standby = new JogStandby { Seen = reading => _machine.Poll(reading with { ProgramRuns = false }) }; // the program of this standby
-        var ready = new ReadyMachine(standby, _status.Profile, control is null ? null : standby.Press(control));
+        var standby = new JogStandby { Seen = reading => _machine.Poll(reading with { IsProgramRunning = false }) }; // the program of this standby
+        var ready = new StandbyMachine(standby, _status.Profile, control is null ? null : standby.Press(control));
         _interlock.KeepReady(ready);
         _ = KeepAsync(connection, ready, journal);
         return ready;
     }
 
-    private async Task KeepAsync(MachineConnection connection, ReadyMachine ready, string journal)
+    private async Task KeepAsync(MachineConnection connection, StandbyMachine ready, string journal)
     {
         try
         {
-            ready.Standby.Over(await _machine.UseAsync(connection, () => Begin(ready), (one, stop) => StandByAsync(one, ready, journal, stop), CancellationToken.None).ConfigureAwait(false));
+            ready.Standby.Complete(await _machine.UseAsync(connection, () => Begin(ready), (one, stop) => StandByAsync(one, ready, journal, stop), CancellationToken.None).ConfigureAwait(false));
         }
         catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
         {
-            ready.Standby.Over(failure);
+            ready.Standby.Complete(failure);
         }
         finally
         {
@@ -69,39 +69,39 @@ public sealed class ReadyJogs
         }
     }
 
-    private void Begin(ReadyMachine ready)
+    private void Begin(StandbyMachine ready)
     {
-        if (ready.First is not null) _status.MoveBegins(Wording.Get("MachineSession.Jogging"));
-        else _status.JobIsOver();
+        if (ready.First is not null) _status.MoveStarted(Wording.Get("MachineSession.Jogging"));
+        else _status.ClearJob();
     }
 
-    private async Task<JobResult> StandByAsync(MachineConnection connection, ReadyMachine ready, string journal, CancellationToken stop)
+    private async Task<JobResult> StandByAsync(MachineConnection connection, StandbyMachine ready, string journal, CancellationToken stop)
     {
-        var move = MachineMove.StandBy(ready.Standby, journal, new JobListener(_status.MoveTells));
-        var result = await move.RunAsync(connection, _machine.Lease!, ready.Profile, _status.Here, stop).ConfigureAwait(false);
-        if (ready.Standby.Pressed is not null || result.Outcome is not (JobOutcome.Complete or JobOutcome.Stopped)) _status.MoveEnds(result); // a stop between two jogs ended no motion
+        var move = MachineMove.JogStandby(ready.Standby, journal, new JobListener(_status.MoveProgressed));
+        var result = await move.RunAsync(connection, _machine.Lease!, ready.Profile, _status.Position, stop).ConfigureAwait(false);
+        if (ready.Standby.Pressed is not null || result.Outcome is not (JobOutcome.Complete or JobOutcome.Stopped)) _status.MoveEnded(result); // a stop between two jogs ended no motion
         return result;
     }
 
     /// <summary>The next press on a machine that is ready.</summary>
     /// <returns>Null when it is no longer ready.</returns>
-    private Task<JobResult>? TakeUp(ReadyMachine ready, JogControl control)
+    private Task<JobResult>? TakeUp(StandbyMachine ready, JogControl control)
     {
-        if (_machine.Lease?.KeepMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
+        if (_machine.Lease?.NoteMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
         if (ready.Standby.Press(control) is not { } jog) return null;
-        _status.MoveBegins(Wording.Get("MachineSession.Jogging"));
+        _status.MoveStarted(Wording.Get("MachineSession.Jogging"));
         _status.RaiseChanged();
         return jog;
     }
 
     /// <summary>Waits for the end of a jog; where the machine stays ready its position is stored.</summary>
-    private async Task<JobResult> EndedAsync(ReadyMachine ready, Task<JobResult> jog)
+    private async Task<JobResult> EndedAsync(StandbyMachine ready, Task<JobResult> jog)
     {
         var result = await jog.ConfigureAwait(false);
-        if (ready.Standby.IsLeaving && result.Outcome != JobOutcome.Complete) await ready.Left.ConfigureAwait(false);
+        if (ready.Standby.IsLeaving && result.Outcome != JobOutcome.Complete) await ready.Closed.ConfigureAwait(false);
         if (!ReferenceEquals(_interlock.Ready, ready) || ready.Standby.Pressed is not null) return result;
-        _machine.Lease?.KeepEnd(result);
-        _status.JobIsOver();
+        _machine.Lease?.NoteMotionEnd(result);
+        _status.ClearJob();
         _status.RaiseChanged();
         return result;
     }

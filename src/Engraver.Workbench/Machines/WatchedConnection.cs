@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Machines;
 internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axes, Action<MachineReading> seen, Action<ControllerException> lost)
 {
     private readonly Lock _guard = new();
-    private MachineWatch? _watch;
+    private MachinePoller? _watch;
 
     /// <summary>Null if not connected.</summary>
     public MachineConnection? Connection { get; private set; }
@@ -19,7 +19,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     public MachineIdentity? Identity { get; private set; }
 
     /// <summary>Null if not connected, and on a single connection during a job.</summary>
-    public MachineWatch? Watch
+    public MachinePoller? Watch
     {
         get
         {
@@ -33,11 +33,11 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     public async Task<MachineReading> OpenAsync(MachineFamily family, ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
     {
         var connection = family.Connect(address, time, false, profile);
-        MachineWatch? watch = null;
+        MachinePoller? watch = null;
         try
         {
-            watch = await MachineWatch.OpenAsync(connection, axes, time, cancellation).ConfigureAwait(false);
-            var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
+            watch = await MachinePoller.OpenAsync(connection, axes, time, cancellation).ConfigureAwait(false);
+            var poll = await watch.PollAsync(cancellation).ConfigureAwait(false);
             lock (_guard) (Connection, Address, Identity, _watch) = (connection, address, watch.Identity, watch);
             return poll;
         }
@@ -53,7 +53,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
 
     /// <summary>Detaches the connection, which remains open and is owned by the caller.</summary>
     /// <returns>Null if not connected.</returns>
-    public (MachineConnection Connection, MachineWatch? Watch)? Take()
+    public (MachineConnection Connection, MachinePoller? Watch)? Detach()
     {
         lock (_guard)
         {
@@ -65,7 +65,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     }
 
     /// <summary>Pauses polling for a job; closes it on a single connection.</summary>
-    public async Task GiveWayAsync()
+    public async Task PauseAsync()
     {
         if (Watch is not { } watch) return;
         await watch.PauseAsync().ConfigureAwait(false);
@@ -79,7 +79,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     {
         try
         {
-            seen(await LookAgainAsync().ConfigureAwait(false) ?? await LookAnewAsync(connection).ConfigureAwait(false));
+            seen(await PollAfterPauseAsync().ConfigureAwait(false) ?? await ReopenAsync(connection).ConfigureAwait(false));
             Resume();
         }
         catch (ControllerException failure)
@@ -90,11 +90,11 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
 
     /// <summary>Polls once after a pause, to detect a lost link.</summary>
     /// <returns>Null if it is lost.</returns>
-    private async Task<MachineReading?> LookAgainAsync()
+    private async Task<MachineReading?> PollAfterPauseAsync()
     {
         try
         {
-            return Watch is { IsBroken: false } watch ? await watch.LookAsync(CancellationToken.None).ConfigureAwait(false) : null;
+            return Watch is { IsBroken: false } watch ? await watch.PollAsync(CancellationToken.None).ConfigureAwait(false) : null;
         }
         catch (ControllerException)
         {
@@ -102,21 +102,21 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    private async Task<MachineReading> LookAnewAsync(MachineConnection connection)
+    private async Task<MachineReading> ReopenAsync(MachineConnection connection)
     {
         if (Watch is { } broken) await broken.DisposeAsync().ConfigureAwait(false);
-        var watch = await MachineWatch.OpenAsync(connection, axes, time, CancellationToken.None).ConfigureAwait(false);
+        var watch = await MachinePoller.OpenAsync(connection, axes, time, CancellationToken.None).ConfigureAwait(false);
         lock (_guard) _watch = watch;
-        return await watch.LookAsync(CancellationToken.None).ConfigureAwait(false);
+        return await watch.PollAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
     /// <summary>Runs an action on the polling connection without waiting for it; a failure is reported if that connection is still in use.</summary>
-    public void ActUrgently(MachineWatch watch, Func<MachineWatch, Task> act) => UrgentThread.Run(() => _ = UrgentlyAsync(watch, act));
+    public void RunUrgently(MachinePoller watch, Func<MachinePoller, Task> act) => UrgentThread.Run(() => _ = RunUrgentAsync(watch, act));
 
     /// <summary>Decelerates the axes and switches the tool off; does nothing without a polling connection. A failure is reported.</summary>
-    public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => Watch is { } watch ? UrgentlyAsync(watch, one => one.StopAsync(outputs)) : Task.CompletedTask;
+    public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => Watch is { } watch ? RunUrgentAsync(watch, one => one.StopAsync(outputs)) : Task.CompletedTask;
 
-    private async Task UrgentlyAsync(MachineWatch watch, Func<MachineWatch, Task> act)
+    private async Task RunUrgentAsync(MachinePoller watch, Func<MachinePoller, Task> act)
     {
         try
         {
@@ -127,11 +127,4 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
             if (ReferenceEquals(watch, Watch)) lost(failure);
         }
     }
-}
-
-/// <summary>Runs an urgent action on a new thread, independent of the caller, the UI thread and the thread pool.</summary>
-internal static class UrgentThread
-{
-    /// <summary>Starts the action and returns.</summary>
-    public static void Run(Action act) => new Thread(() => act()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
 }

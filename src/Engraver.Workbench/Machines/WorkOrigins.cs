@@ -13,7 +13,7 @@ public sealed class WorkOrigins
     private readonly MotionInterlock _interlock;
     private readonly MachineRuns _runs;
     private readonly MachineStatusModel _status;
-    private (MachineHold Of, int? Mark, CountsPoint At)? _touch;
+    private (MachineLease Of, int? Mark, CountsPoint At)? _touch;
 
     internal WorkOrigins(ConnectedMachine machine, MotionInterlock interlock, MachineRuns runs, MachineStatusModel status) => (_machine, _interlock, _runs, _status) = (machine, interlock, runs, status);
 
@@ -59,7 +59,7 @@ public sealed class WorkOrigins
         }
         catch (ControllerException failure)
         {
-            _status.Lost(failure);
+            _status.LinkLost(failure);
             return null;
         }
     }
@@ -76,7 +76,7 @@ public sealed class WorkOrigins
     /// <returns>Why there is no certain position for an origin; null when it was set.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed, or it cannot be stored.</exception>
-    public async Task<Diagnostic?> SetAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
+    public async Task<Diagnostic?> SetAsync(Func<StoredMachineState, ControllerPosition, StoredMachineState> set, CancellationToken cancellation)
     {
         var watch = await _machine.IdleAsync().ConfigureAwait(false);
         return await SetAsync(watch, RequireLease(), set, cancellation).ConfigureAwait(false);
@@ -93,8 +93,8 @@ public sealed class WorkOrigins
     {
         var watch = await _machine.IdleAsync().ConfigureAwait(false);
         var (lease, place) = await LocateAsync(watch, cancellation).ConfigureAwait(false);
-        if (WorkPlacement.WhyNotKnown(lease.Memory, place, _status.Profile) is { } unknown) return unknown;
-        return await SetAsync(watch, lease, (memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, KeptAxes.Of(_status.Profile)), cancellation).ConfigureAwait(false);
+        if (WorkPlacement.PositionDoubt(lease.Memory, place, _status.Profile) is { } unknown) return unknown;
+        return await SetAsync(watch, lease, (memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, StoredAxes.Of(_status.Profile)), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>
@@ -106,7 +106,7 @@ public sealed class WorkOrigins
         var lease = RequireLease();
         if (_interlock.IsRunning) throw NotNow();
         _status.Arming.Disarm();
-        var failure = lease.Set(memory => memory with { Active = name });
+        var failure = lease.Commit(memory => memory with { Active = name });
         Changed();
         return failure;
     }
@@ -130,14 +130,14 @@ public sealed class WorkOrigins
     internal void Changed()
     {
         if (_machine.Located is not { } located) return;
-        _status.Placed(located.Lease.Memory.ActiveOrigin?.Plane);
-        if (LastPolled(_status.Profile.Scale) is { } at) _status.OriginIs(located.WhyUnplaced(_status.Profile, at));
+        _status.SetFrame(located.Lease.Memory.ActiveOrigin?.Plane);
+        if (LastPolled(_status.Profile.Scale) is { } at) _status.SetOriginMissing(located.WhyUnplaced(_status.Profile, at));
         _runs.ForgetPlace();
     }
 
     private static InvalidOperationException NotNow() => new InvalidOperationException("No controller is connected, or a job runs.");
 
-    private MachineHold RequireLease() => _machine.Lease ?? throw NotNow();
+    private MachineLease RequireLease() => _machine.Lease ?? throw NotNow();
 
     /// <summary>The controller's own counts of the last poll.</summary>
     private CountsPoint? LastPolled(CountsScale scale)
@@ -146,7 +146,7 @@ public sealed class WorkOrigins
         return status.MachinePosition is { } at ? scale.ToCounts(at) with { Z = scale.ToHeight(status.MachineHeight ?? 0.0) } : null;
     }
 
-    private async Task<Diagnostic?> SetAsync(MachineWatch watch, MachineHold lease, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
+    private async Task<Diagnostic?> SetAsync(MachinePoller watch, MachineLease lease, Func<StoredMachineState, ControllerPosition, StoredMachineState> set, CancellationToken cancellation)
     {
         _status.Arming.Disarm();
         if (await watch.SetOriginAsync(_status.Profile, lease, set, cancellation).ConfigureAwait(false) is { } refusal) return refusal;
@@ -154,9 +154,9 @@ public sealed class WorkOrigins
         return null;
     }
 
-    private async Task<(MachineHold Lease, ControllerPlace Place)> LocateAsync(MachineWatch watch, CancellationToken cancellation) =>
+    private async Task<(MachineLease Lease, ControllerPosition Place)> LocateAsync(MachinePoller watch, CancellationToken cancellation) =>
         await _machine.LocateAsync(watch, cancellation).ConfigureAwait(false) is var (machine, place) ? (machine.Lease, place) : throw NotNow();
 
-    private async Task<PlacementResult?> FindAsync(MachineWatch watch, MotionProgram program, bool dryRun, CancellationToken cancellation) =>
+    private async Task<PlacementResult?> FindAsync(MachinePoller watch, MotionProgram program, bool dryRun, CancellationToken cancellation) =>
         await _machine.LocateAsync(watch, cancellation).ConfigureAwait(false) is var (machine, _) ? machine.Find(program, dryRun) : null;
 }

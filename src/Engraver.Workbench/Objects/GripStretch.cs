@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Objects;
 public static class GripStretch
 {
     /// <summary>Below this bulge a side is straight.</summary>
-    private const double LeastBulge = 1e-8;
+    private const double MinBulge = 1e-8;
 
     /// <summary>The changed parts; null if something would vanish: a line without length, an arc without radius.</summary>
     /// <param name="drawing">The drawing.</param>
@@ -45,7 +45,7 @@ public static class GripStretch
         ref var part = ref drawing.Parts[index];
         var segment = drawing.SegmentOf(part);
         if (segment.IsClosed) return null;
-        var (start, end) = (moving.Exists(place => ObjectGrips.AreOne(place, segment.Start)), moving.Exists(place => ObjectGrips.AreOne(place, segment.End)));
+        var (start, end) = (moving.Exists(place => ObjectGrips.Coincide(place, segment.Start)), moving.Exists(place => ObjectGrips.Coincide(place, segment.End)));
         if (!start && !end) return null;
         if (start && end) return ChangedPart.Moved(drawing, index, way);
         if (part.IsFreeCurve && part.Kind != SegmentKind.Spline) return ChangedPart.Vanished(index); // One bent span of an elliptical arc would not be an ellipse.
@@ -69,8 +69,8 @@ public static class GripStretch
         if (grip.Kind == GripKind.Axis) return new ChangedPart(index, part, WithAxis(segment, grip.Place, to));
         if (grip.Kind == GripKind.Radius) return new ChangedPart(index, DrawingPart.Arc(part.Entity, segment.Arc with { Radius = segment.Arc.Centre.DistanceTo(to) }, part.C), null);
         var bulge = BulgeThrough(segment.Start, segment.End, to);
-        if (Math.Abs(bulge) is >= LeastBulge and <= 1.0 / LeastBulge) return new ChangedPart(index, DrawingPart.Arc(part.Entity, ArcSegment.FromBulge(segment.Start, segment.End, bulge), part.C), null);
-        return Math.Abs(bulge) < LeastBulge && drawing.Entities[grip.Entity].PartCount > 1 ? new ChangedPart(index, DrawingPart.Line(part.Entity, segment.Start.X, segment.Start.Y, part.C, segment.End.X, segment.End.Y, part.C), null) : ChangedPart.Vanished(index);
+        if (Math.Abs(bulge) is >= MinBulge and <= 1.0 / MinBulge) return new ChangedPart(index, DrawingPart.Arc(part.Entity, ArcSegment.FromBulge(segment.Start, segment.End, bulge), part.C), null);
+        return Math.Abs(bulge) < MinBulge && drawing.Entities[grip.Entity].PartCount > 1 ? new ChangedPart(index, DrawingPart.Line(part.Entity, segment.Start.X, segment.Start.Y, part.C, segment.End.X, segment.End.Y, part.C), null) : ChangedPart.Vanished(index);
     }
 
     /// <summary>Bulge (tangent of a quarter of the sweep) of the arc from one point to another through a third; 0 if they are collinear.</summary>

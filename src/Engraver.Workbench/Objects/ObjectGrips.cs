@@ -10,13 +10,13 @@ namespace Engraver.Workbench.Objects;
 public static class ObjectGrips
 {
     /// <summary>Maximum number of selected objects with grips (AutoCAD's GRIPOBJLIMIT).</summary>
-    public const int MostObjects = 100;
+    public const int MaxObjects = 100;
 
     /// <summary>Maximum number of shown grips.</summary>
-    private const int MostGrips = 2000;
+    private const int MaxGrips = 2000;
 
     /// <summary>Tolerance for coincident grips, relative to their coordinates.</summary>
-    private const double OnePlace = 1e-9;
+    private const double CoincidenceTolerance = 1e-9;
 
     private const int SpansOfWholeEllipse = 4;
 
@@ -25,7 +25,7 @@ public static class ObjectGrips
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(selection);
-        return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count && !drawing.Layers[drawing.Entities[entity].Layer].Locked).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
+        return selection.Count > MaxObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count && !drawing.Layers[drawing.Entities[entity].Layer].Locked).SelectMany(entity => Find(drawing, entity)).Take(MaxGrips);
     }
 
     /// <summary>The grips hit by a press at a point: the nearest one and all coincident ones; empty if the nearest is farther away than
@@ -35,10 +35,10 @@ public static class ObjectGrips
         var all = Find(drawing, selection).ToList();
         if (all.Count == 0) return [];
         var nearest = all.MinBy(grip => grip.Place.DistanceTo(place));
-        return nearest.Place.DistanceTo(place) > reach ? [] : [.. all.Where(grip => AreOne(grip.Place, nearest.Place))];
+        return nearest.Place.DistanceTo(place) > reach ? [] : [.. all.Where(grip => Coincide(grip.Place, nearest.Place))];
     }
 
-    internal static bool AreOne(Point2D a, Point2D b) => a.DistanceTo(b) <= OnePlace * (1.0 + Math.Max(Math.Abs(a.X) + Math.Abs(a.Y), Math.Abs(b.X) + Math.Abs(b.Y)));
+    internal static bool Coincide(Point2D a, Point2D b) => a.DistanceTo(b) <= CoincidenceTolerance * (1.0 + Math.Max(Math.Abs(a.X) + Math.Abs(a.Y), Math.Abs(b.X) + Math.Abs(b.Y)));
 
     private static IEnumerable<Grip> Find(Drawing drawing, int entity)
     {
@@ -76,33 +76,4 @@ public static class ObjectGrips
 
     private static IEnumerable<(GripKind, Point2D)> Quadrants(ArcSegment circle) =>
         Enumerable.Range(0, 4).Select(quadrant => (GripKind.Radius, circle.Centre + Vector2D.FromPolar(circle.Radius, Angle.FromDegrees(90.0 * quadrant))));
-}
-
-/// <summary>A point by which an object can be dragged.</summary>
-/// <param name="Entity">Index into the drawing's entities.</param>
-/// <param name="Part">Index into the drawing's parts.</param>
-/// <param name="Kind">Effect of dragging it.</param>
-/// <param name="Place">Drawing units.</param>
-public readonly record struct Grip(int Entity, int Part, GripKind Kind, Point2D Place);
-
-/// <summary>Effect of dragging a grip.</summary>
-public enum GripKind
-{
-    /// <summary>Moves an end or a vertex; arcs that meet there keep their included angle.</summary>
-    Vertex,
-
-    /// <summary>Moves the whole object.</summary>
-    Whole,
-
-    /// <summary>Moves a side of a polyline, both its vertices.</summary>
-    Side,
-
-    /// <summary>Bends an arc between its ends, so that it passes through the point.</summary>
-    Bulge,
-
-    /// <summary>Changes the radius of a circle.</summary>
-    Radius,
-
-    /// <summary>Changes the length of an axis of an ellipse.</summary>
-    Axis,
 }

@@ -10,13 +10,13 @@ namespace Engraver.Workbench.Playback;
 public sealed class PlannedMotion
 {
     /// <summary>Tolerance for the end of a segment, counts: far less than the length of the shortest segment.</summary>
-    private const double AtEnd = 1e-3;
+    private const double EndTolerance = 1e-3;
 
     private readonly MotionTimeline _timeline;
     private readonly MotionProgram _program;
 
     /// <summary>Path length from the start of its sequence to the end of each segment, counts.</summary>
-    private readonly double[] _reached;
+    private readonly double[] _lengths;
 
     /// <summary>For each stroke the index of its first sequence among all strokes, plus one final entry.</summary>
     private readonly int[] _firstSequences;
@@ -41,7 +41,7 @@ public sealed class PlannedMotion
         _timeline = timeline;
         _program = timeline.Program;
         (_moves, _rows, _lines) = (moves, rows, new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]));
-        _reached = new double[moves.Length];
+        _lengths = new double[moves.Length];
         _firstSequences = new int[_program.Strokes.Count + 1];
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
@@ -80,7 +80,7 @@ public sealed class PlannedMotion
         {
             MotionSpanKind.Cut => Cutting(span, since),
             MotionSpanKind.Rapid => Rapid(span, since),
-            _ => Moment(span, since, FirstSegment(span.Stroke, span.Sequence) + StandsBehind(span), Millimetres(span.From.X, span.From.Y), 0.0),
+            _ => Moment(span, since, FirstSegment(span.Stroke, span.Sequence) + SegmentOffset(span), Millimetres(span.From.X, span.From.Y), 0.0),
         };
     }
 
@@ -136,12 +136,12 @@ public sealed class PlannedMotion
     {
         var (stroke, sequence) = PlaceOf(segment);
         var (span, first) = (_timeline.CutOf(_firstSequences[stroke] + sequence), FirstSegment(stroke, sequence));
-        var reached = segment == first ? 0.0 : _reached[segment - 1];
+        var reached = segment == first ? 0.0 : _lengths[segment - 1];
         if (place is { } at)
         {
             var cut = _program.Strokes[stroke].Sequences[sequence];
             var (part, from) = (cut.Segments[segment - first], segment == first ? cut.Start : cut.Segments[segment - first - 1].End);
-            reached += part.Length * SegmentPlace.FractionNear(part, from, at);
+            reached += part.Length * SegmentPosition.FractionNear(part, from, at);
         }
 
         return span.Start + TrapezoidOf(stroke, sequence).TimeAt(reached);
@@ -151,7 +151,7 @@ public sealed class PlannedMotion
     internal SpeedTrapezoid TrapezoidOf(int stroke, int sequence)
     {
         var cut = _program.Strokes[stroke].Sequences[sequence];
-        return new SpeedTrapezoid(_reached[FirstSegment(stroke, sequence) + cut.Segments.Count - 1], cut.Speed, _program.Profile.AccelerationCounts);
+        return new SpeedTrapezoid(_lengths[FirstSegment(stroke, sequence) + cut.Segments.Count - 1], cut.Speed, _program.Profile.AccelerationCounts);
     }
 
     private void NumberSegments()
@@ -163,7 +163,7 @@ public sealed class PlannedMotion
             {
                 _firstSegments[number++] = next;
                 var (segments, length) = (sequences[sequence].Segments, 0.0);
-                for (var i = 0; i < segments.Count; i++) _reached[next++] = length += segments[i].Length;
+                for (var i = 0; i < segments.Count; i++) _lengths[next++] = length += segments[i].Length;
             }
         }
     }
@@ -223,15 +223,15 @@ public sealed class PlannedMotion
         var profile = TrapezoidOf(span.Stroke, span.Sequence);
         var path = profile.DistanceAt(since);
         var first = FirstSegment(span.Stroke, span.Sequence);
-        var found = Array.BinarySearch(_reached, first, sequence.Segments.Count, path);
+        var found = Array.BinarySearch(_lengths, first, sequence.Segments.Count, path);
         var (segment, last) = (found >= 0 ? found + 1 : ~found, first + sequence.Segments.Count - 1);
-        while (segment < last && _reached[segment] - path < AtEnd) segment++; // The start time of a segment belongs to that segment despite rounding of time and distance.
+        while (segment < last && _lengths[segment] - path < EndTolerance) segment++; // The start time of a segment belongs to that segment despite rounding of time and distance.
         segment = Math.Min(segment, last);
         var from = segment == first ? sequence.Start : sequence.Segments[segment - first - 1].End;
-        var done = Math.Max(0.0, path - (segment == first ? 0.0 : _reached[segment - 1]));
+        var done = Math.Max(0.0, path - (segment == first ? 0.0 : _lengths[segment - 1]));
         var cut = sequence.Segments[segment - first];
-        var place = SegmentPlace.At(cut, from, cut.Length > 0.0 ? done / cut.Length : 1.0);
-        var speed = SegmentPlace.Millimetres(cut, from, done, profile.SpeedAt(since), _program.Profile.Scale);
+        var place = SegmentPosition.At(cut, from, cut.Length > 0.0 ? done / cut.Length : 1.0);
+        var speed = SegmentPosition.Millimetres(cut, from, done, profile.SpeedAt(since), _program.Profile.Scale);
         return Moment(span, since, segment, Millimetres(place.X, place.Y), speed);
     }
 
@@ -243,12 +243,12 @@ public sealed class PlannedMotion
             span.From.X + (Math.Sign((long)span.To.X - span.From.X) * x.DistanceAt(since)),
             span.From.Y + (Math.Sign((long)span.To.Y - span.From.Y) * y.DistanceAt(since)));
         var speed = Millimetres(x.SpeedAt(since), y.SpeedAt(since)).DistanceTo(default);
-        return Moment(span, since, FirstSegment(span.Stroke, 0) + StandsBehind(span), place, speed);
+        return Moment(span, since, FirstSegment(span.Stroke, 0) + SegmentOffset(span), place, speed);
     }
 
     /// <summary>Index in its stroke of the segment to which a standstill or rapid belongs: the settle at the end of a stroke and the rapid to the finish belong
     /// to the segment before, all others to the segment after.</summary>
-    private int StandsBehind(in MotionSpan span)
+    private int SegmentOffset(in MotionSpan span)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];
         if (span.ToolOn || span.Start < _timeline.CutOf(_firstSequences[span.Stroke] + span.Sequence).End - 1e-12) return 0;
@@ -261,16 +261,3 @@ public sealed class PlannedMotion
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
 }
-
-/// <summary>State of the planned motion at one time.</summary>
-/// <param name="Seconds">Since the start of the job.</param>
-/// <param name="Position">Tool position, drawing millimetres.</param>
-/// <param name="Speed">Along the path, mm/s.</param>
-/// <param name="ToolOn">The tool output is on.</param>
-/// <param name="Kind">Cutting, between strokes, or at a standstill.</param>
-/// <param name="Stroke">Index of the stroke (contour) in the order of cutting.</param>
-/// <param name="Segment">Index in the whole motion program of the current or next segment.</param>
-/// <param name="Entity">The drawing entity of that segment.</param>
-/// <param name="Move">Toolpath move of that segment, numbered over all strokes; an ellipse or spline consists of several.</param>
-/// <param name="Row">Row of the sequenced entity table of that segment.</param>
-public readonly record struct PlaybackMoment(double Seconds, Point2D Position, double Speed, bool ToolOn, MotionSpanKind Kind, int Stroke, int Segment, int Entity, int Move, int Row);

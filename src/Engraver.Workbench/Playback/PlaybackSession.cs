@@ -9,7 +9,7 @@ public sealed class PlaybackSession(TimeProvider time)
     private double _position;
     private double _speed = 1.0;
     private long? _since;
-    private bool _isPlaced;
+    private bool _isPositioned;
 
     /// <summary>Raised when playback starts or ends, the position is set, or the speed or the motion changes; not during playback.</summary>
     public event EventHandler? Changed;
@@ -27,7 +27,7 @@ public sealed class PlaybackSession(TimeProvider time)
     {
         get
         {
-            lock (_guard) return _since is not null && Now() < Duration;
+            lock (_guard) return _since is not null && CurrentPosition() < Duration;
         }
     }
 
@@ -37,7 +37,7 @@ public sealed class PlaybackSession(TimeProvider time)
     {
         get
         {
-            lock (_guard) return _since is null ? _isPlaced : Now() < Duration;
+            lock (_guard) return _since is null ? _isPositioned : CurrentPosition() < Duration;
         }
     }
 
@@ -46,7 +46,7 @@ public sealed class PlaybackSession(TimeProvider time)
     {
         get
         {
-            lock (_guard) return Now();
+            lock (_guard) return CurrentPosition();
         }
     }
 
@@ -70,21 +70,21 @@ public sealed class PlaybackSession(TimeProvider time)
     {
         get
         {
-            lock (_guard) return _motion?.At(Now());
+            lock (_guard) return _motion?.At(CurrentPosition());
         }
     }
 
     private double Duration => _motion?.DurationSeconds ?? 0.0;
 
     /// <summary>Sets another motion; the position is reset to its start.</summary>
-    public void Load(PlannedMotion? motion) => Set(() => (_motion, _position, _since, _isPlaced) = (motion, 0.0, null, false));
+    public void Load(PlannedMotion? motion) => Set(() => (_motion, _position, _since, _isPositioned) = (motion, 0.0, null, false));
 
     /// <summary>Plays from the current position, or from the start at the end.</summary>
     public void Play() => Set(() =>
     {
         if (_position >= Duration) _position = 0.0;
         _since = _motion is null ? null : time.GetTimestamp();
-        _isPlaced = _motion is not null;
+        _isPositioned = _motion is not null;
     });
 
     public void Pause() => Set(() => _since = null);
@@ -92,12 +92,12 @@ public sealed class PlaybackSession(TimeProvider time)
     /// <summary>Sets the position; a running playback continues from there.</summary>
     public void Scrub(double seconds) => Set(() =>
     {
-        _position = Inside(seconds);
-        _isPlaced = _position > 0.0;
+        _position = Clamp(seconds);
+        _isPositioned = _position > 0.0;
     });
 
     /// <summary>Sets the position to that of a machine, which is displayed separately.</summary>
-    public void Follow(double seconds) => Set(() => (_position, _isPlaced) = (Inside(seconds), false));
+    public void Follow(double seconds) => Set(() => (_position, _isPositioned) = (Clamp(seconds), false));
 
     /// <summary>Goes to the start of a row of the sequenced table; false if it is not cut.</summary>
     public bool GoToRow(int row) => GoTo(Motion?.TimeOfRow(row));
@@ -106,7 +106,7 @@ public sealed class PlaybackSession(TimeProvider time)
     public bool GoToEntity(int entity)
     {
         if (Motion?.TimeOfEntity(entity) is not { } at) return false;
-        Set(() => _position = Inside(at));
+        Set(() => _position = Clamp(at));
         return true;
     }
 
@@ -121,9 +121,9 @@ public sealed class PlaybackSession(TimeProvider time)
         return true;
     }
 
-    private double Inside(double seconds) => double.IsNaN(seconds) ? 0.0 : Math.Clamp(seconds, 0.0, Duration);
+    private double Clamp(double seconds) => double.IsNaN(seconds) ? 0.0 : Math.Clamp(seconds, 0.0, Duration);
 
-    private double Now()
+    private double CurrentPosition()
     {
         if (_since is not { } since) return _position;
         var run = time.GetElapsedTime(since).TotalSeconds;
@@ -135,8 +135,8 @@ public sealed class PlaybackSession(TimeProvider time)
     {
         lock (_guard)
         {
-            _position = Now();
-            if (_since is not null && _position >= Duration) (_since, _isPlaced) = (null, false);
+            _position = CurrentPosition();
+            if (_since is not null && _position >= Duration) (_since, _isPositioned) = (null, false);
             else if (_since is not null) _since = time.GetTimestamp();
             change();
         }

@@ -22,11 +22,11 @@ internal static class SegmentMoves
         var at = 0;
         foreach (var stroke in program.Strokes)
         {
-            var walk = new Walk(path.Strokes[stroke.Index].Moves, program.Profile.Scale);
+            var walk = new MoveCursor(path.Strokes[stroke.Index].Moves, program.Profile.Scale);
             for (var part = 0; part < stroke.Sequences.Count; part++)
             {
                 var segments = stroke.Sequences[part].Segments;
-                for (var i = 0; i < segments.Count; i++) moves[at++] = firstMoves[stroke.Index] + walk.Take(segments[i]);
+                for (var i = 0; i < segments.Count; i++) moves[at++] = firstMoves[stroke.Index] + walk.Advance(segments[i]);
             }
         }
 
@@ -59,7 +59,7 @@ internal static class SegmentMoves
         return first;
     }
 
-    private sealed class Walk
+    private sealed class MoveCursor
     {
         private readonly IReadOnlyList<StrokeMove> _moves;
         private readonly CountsScale _scale;
@@ -70,13 +70,13 @@ internal static class SegmentMoves
         private StrokeMove _move;
         private Point2D _end;
 
-        public Walk(IReadOnlyList<StrokeMove> moves, CountsScale scale)
+        public MoveCursor(IReadOnlyList<StrokeMove> moves, CountsScale scale)
         {
             (_moves, _scale) = (moves, scale);
             GoTo(0);
         }
 
-        public int Take(in VectorSegment segment)
+        public int Advance(in VectorSegment segment)
         {
             if (_isDone && _at + 1 < _moves.Count) GoTo(_at + 1);
             while (_at + 1 < _moves.Count && (_move.EntityIndex != segment.EntityIndex || (!EndsWith(segment) && IsShort()))) GoTo(_at + 1);

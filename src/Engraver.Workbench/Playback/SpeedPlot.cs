@@ -6,12 +6,12 @@ namespace Engraver.Workbench.Playback;
 public static class SpeedPlot
 {
     /// <summary>Corners of every ramp; for a job with too many corners, samples at equal times, to limit the cost of the plot.</summary>
-    /// <param name="most">At least 2.</param>
-    public static IReadOnlyList<SpeedSample> Sample(PlannedMotion motion, int most)
+    /// <param name="maxSamples">At least 2.</param>
+    public static IReadOnlyList<SpeedSample> Sample(PlannedMotion motion, int maxSamples)
     {
         ArgumentNullException.ThrowIfNull(motion);
-        ArgumentOutOfRangeException.ThrowIfLessThan(most, 2);
-        var moments = 4L * motion.Timeline.Spans.Count <= most ? Corners(motion) : Even(motion.DurationSeconds, most);
+        ArgumentOutOfRangeException.ThrowIfLessThan(maxSamples, 2);
+        var moments = 4L * motion.Timeline.Spans.Count <= maxSamples ? Corners(motion) : Even(motion.DurationSeconds, maxSamples);
         var samples = new List<SpeedSample>();
         var (path, last) = (0.0, motion.At(0.0));
         foreach (var seconds in moments)
@@ -25,7 +25,7 @@ public static class SpeedPlot
         return samples;
     }
 
-    private static IEnumerable<double> Even(double duration, int most) => Enumerable.Range(0, most).Select(i => duration * i / (most - 1));
+    private static IEnumerable<double> Even(double duration, int count) => Enumerable.Range(0, count).Select(i => duration * i / (count - 1));
 
     private static IEnumerable<double> Corners(PlannedMotion motion)
     {
@@ -44,10 +44,3 @@ public static class SpeedPlot
 
     private static SpeedTrapezoid Longest(IReadOnlyList<SpeedTrapezoid> axes) => axes.MaxBy(axis => axis.Seconds);
 }
-
-/// <summary>A corner of the speed plot; between two corners the speed is linear in time.</summary>
-/// <param name="Seconds">Since the start of the job.</param>
-/// <param name="PathMm">Path of the tool so far, rapids included.</param>
-/// <param name="Speed">mm/s.</param>
-/// <param name="Cutting">False in rapids and standstills.</param>
-public readonly record struct SpeedSample(double Seconds, double PathMm, double Speed, bool Cutting);

@@ -38,7 +38,7 @@ public static class DrawingText
 
     private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Wording.Get(drawing.Bytes == 1 ? "DrawingText.Bytes.One" : "DrawingText.Bytes.Many", drawing.Bytes);
 
-    private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
+    private static int Records(ReadBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 
     private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? Wording.Get("DrawingText.Dxf", drawing.Encoding) : Wording.Get("DrawingText.DxfVersion", drawing.Encoding, drawing.DxfVersion);
 

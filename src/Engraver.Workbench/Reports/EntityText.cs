@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Reports;
 public static class EntityText
 {
     /// <summary>One line for each object and for each of its parts.</summary>
-    public static void Write(Drawing drawing, IEnumerable<int> entities, Figures figures, TextWriter output)
+    public static void Write(Drawing drawing, IEnumerable<int> entities, DisplayPrecision figures, TextWriter output)
     {
         foreach (var index in entities)
         {
@@ -18,34 +18,34 @@ public static class EntityText
             if (drawing.SourceOf(index).Handle is { } handle) facts.Add(Wording.Get("EntityText.Handle", handle));
             facts.Add(Wording.Get("EntityText.Layer", drawing.Layers[entity.Layer].Name));
             if (entity.Closed) facts.Add(Wording.Get("EntityText.Closed"));
-            facts.Add(Wording.Get("EntityText.EntityLength", figures.Length(LengthOf(drawing, index))));
+            facts.Add(Wording.Get("EntityText.EntityLength", figures.FormatLength(LengthOf(drawing, index))));
             output.WriteLine(string.Join(", ", facts));
             foreach (var segment in DrawingPick.Segments(drawing, index)) output.WriteLine("    " + Describe(segment, figures));
         }
     }
 
     /// <summary>Summary of the objects.</summary>
-    public static void WriteTogether(Drawing drawing, IReadOnlyCollection<int> entities, Figures figures, TextWriter output)
+    public static void WriteTogether(Drawing drawing, IReadOnlyCollection<int> entities, DisplayPrecision figures, TextWriter output)
     {
         var types = entities.GroupBy(index => drawing.Entities[index].Type).Select(group => Invariant($"{group.Count()} {group.Key.ToDxfName()}"));
         var layers = entities.Select(index => drawing.Layers[drawing.Entities[index].Layer].Name).Distinct().Order(StringComparer.Ordinal);
         output.WriteLine(Wording.Get("EntityText.Objects", CountText.Format(entities.Count, "Object"), string.Join(", ", types)));
         output.WriteLine(Wording.Get("EntityText.Layers", string.Join(", ", layers)));
-        output.WriteLine(Wording.Get("EntityText.TotalLength", figures.Length(entities.Sum(index => LengthOf(drawing, index))), drawing.Unit.Name));
+        output.WriteLine(Wording.Get("EntityText.TotalLength", figures.FormatLength(entities.Sum(index => LengthOf(drawing, index))), drawing.Unit.Name));
         var box = DrawingPick.BoundsOf(drawing, entities);
-        if (!box.IsEmpty) output.WriteLine(Wording.Get("EntityText.Extents", figures.Length(box.MinX), figures.Length(box.MinY), figures.Length(box.MaxX), figures.Length(box.MaxY)));
+        if (!box.IsEmpty) output.WriteLine(Wording.Get("EntityText.Extents", figures.FormatLength(box.MinX), figures.FormatLength(box.MinY), figures.FormatLength(box.MaxX), figures.FormatLength(box.MaxY)));
     }
 
     private static double LengthOf(Drawing drawing, int index) => DrawingPick.Segments(drawing, index).Sum(segment => segment.Length);
 
-    private static string Describe(Segment segment, Figures figures)
+    private static string Describe(Segment segment, DisplayPrecision figures)
     {
         var (from, to) = (segment.Start, segment.End);
-        string[] ends = [figures.Length(from.X), figures.Length(from.Y), figures.Length(to.X), figures.Length(to.Y)];
-        if (segment.IsFreeCurve) return Facts(segment.Kind == SegmentKind.Ellipse ? "EntityText.Ellipse" : "EntityText.Spline", [.. ends, Invariant($"{segment.Curve.Spans.Length}"), figures.Length(segment.Length)]);
+        string[] ends = [figures.FormatLength(from.X), figures.FormatLength(from.Y), figures.FormatLength(to.X), figures.FormatLength(to.Y)];
+        if (segment.IsFreeCurve) return Facts(segment.Kind == SegmentKind.Ellipse ? "EntityText.Ellipse" : "EntityText.Spline", [.. ends, Invariant($"{segment.Curve.Spans.Length}"), figures.FormatLength(segment.Length)]);
         if (segment.Kind == SegmentKind.Line) return Facts("EntityText.Line", ends);
         var arc = segment.Arc;
-        return Facts(segment.Kind == SegmentKind.Circle ? "EntityText.Circle" : "EntityText.Arc", [.. ends, figures.Length(arc.Centre.X), figures.Length(arc.Centre.Y), figures.Length(arc.Radius), figures.Degrees(arc.Sweep)]);
+        return Facts(segment.Kind == SegmentKind.Circle ? "EntityText.Circle" : "EntityText.Arc", [.. ends, figures.FormatLength(arc.Centre.X), figures.FormatLength(arc.Centre.Y), figures.FormatLength(arc.Radius), figures.FormatDegrees(arc.Sweep)]);
     }
 
     private static string Facts(string name, string[] facts) => Wording.Get(name, [.. facts]);

@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Reports;
 public sealed class FailureReports(string folder, TimeProvider time)
 {
     /// <summary>Maximum number of reports of one session, so that a repeated failure does not fill the disk.</summary>
-    private const int MostReports = 20;
+    private const int MaxReports = 20;
 
     private int _reports;
 
@@ -18,7 +18,7 @@ public sealed class FailureReports(string folder, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(failure);
         var number = Interlocked.Increment(ref _reports);
-        if (number > MostReports) return null;
+        if (number > MaxReports) return null;
         var now = time.GetUtcNow();
         var file = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"crash-{now:yyyyMMdd-HHmmss}-{number}.txt"));
         try

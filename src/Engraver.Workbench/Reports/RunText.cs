@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Reports;
 public static class RunText
 {
     /// <summary>Minimum displayed length, millimetres; a shorter one would be shown as 0.</summary>
-    private const double LeastShown = 0.001;
+    private const double MinShown = 0.001;
 
     /// <param name="spell">Names settings for the front end (<see cref="SettingWording"/>).</param>
     public static string Sentence(PreparedJob job, MachineRunReport report, Func<string, string> spell)
@@ -17,18 +17,18 @@ public static class RunText
         ArgumentNullException.ThrowIfNull(spell);
         var result = report.Result;
         var planned = job.Motion.Program?.SegmentCount ?? 0;
-        var findings = report.IsDryRun ? [Wording.Get("RunText.DryRun")] : Findings(report, LeftOut(job), job.NotCut);
+        var findings = report.IsDryRun ? [Wording.Get("RunText.DryRun")] : Findings(report, RefusedCount(job), job.NotCut);
         if (job.NotCut.Counts.Count > 0) findings = [.. findings, $"{job.NotCut.Clause}: {job.NotCut.HowTo}"];
-        return Wording.Get(report.IsDryRun ? "RunText.SegmentsTraversed" : "RunText.SegmentsCut", OutcomeText.Said(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(string.Join("; ", findings)));
+        return Wording.Get(report.IsDryRun ? "RunText.SegmentsTraversed" : "RunText.SegmentsCut", OutcomeText.DisplayText(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(string.Join("; ", findings)));
     }
 
     /// <summary>Number of entities of the drawing and its blocks that could not be converted to curves.</summary>
-    public static int LeftOut(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
+    public static int RefusedCount(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
 
     /// <summary>The deviation, the cut part of the drawing, and restrictions of both.</summary>
     private static List<string> Findings(MachineRunReport report, int leftOut, NotCutFindings notCut)
     {
-        var (judgement, openLoop) = (report.Judgement, report.Unseen);
+        var (judgement, openLoop) = (report.Judgement, report.CommandedOnly);
         if (judgement.MaxDeviationMm is not { } deviation) return [Wording.Get("RunText.CutUnknown")];
         var isOpenLoop = openLoop.Count > 0;
         List<string> findings = [Wording.Get(judgement.Source == "record" ? "RunText.DeviationOfSimulatedMotors" : judgement.FollowingMm is not null && !isOpenLoop ? "RunText.DeviationOfMotors" : isOpenLoop ? "RunText.DeviationOfCommandedPositions" : "RunText.DeviationOfPolledPositions", deviation)];
@@ -36,8 +36,8 @@ public static class RunText
         findings.Add(judgement.MissingLengthMm switch
         {
             null => Wording.Get("RunText.LengthNotCutUnknown"),
-            >= LeastShown and var length => Wording.Get("RunText.LengthNotCut", length),
-            > 0.0 => Wording.Get("RunText.LengthNotCutBelow", LeastShown),
+            >= MinShown and var length => Wording.Get("RunText.LengthNotCut", length),
+            > 0.0 => Wording.Get("RunText.LengthNotCutBelow", MinShown),
             _ when leftOut > 0 => Wording.Get("RunText.AllThatWasReadCut"),
             _ => Wording.Get(notCut.Counts.Count > 0 ? "RunText.AllCurvesCut" : "RunText.WholeDrawingCut"),
         });

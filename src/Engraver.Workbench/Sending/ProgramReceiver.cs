@@ -20,12 +20,12 @@ public sealed class ProgramReceiver(CharacterFrame frame)
     public int Lines { get; private set; }
 
     /// <summary>Processes received bytes.</summary>
-    public void Take(ReadOnlySpan<byte> heard)
+    public void Add(ReadOnlySpan<byte> heard)
     {
         foreach (var bits in heard)
         {
             var character = frame.Decode(bits);
-            if (!frame.IsSound(bits) && Damaged++ == 0) FirstDamagedLine = Lines + 1;
+            if (!frame.HasValidParity(bits) && Damaged++ == 0) FirstDamagedLine = Lines + 1;
             if (character == 0) continue;
             if (character == '\n' || _characters is [.., (byte)'\r']) Lines++;
             _characters.Add(character);
@@ -37,7 +37,7 @@ public sealed class ProgramReceiver(CharacterFrame frame)
     /// <param name="progress">Receives the number of lines after every block.</param>
     /// <returns>True after silence; false if the operator stopped, so that the program may be incomplete.</returns>
     /// <exception cref="IOException">The port failed.</exception>
-    public async Task<bool> ListenAsync(IProgramLine line, TimeSpan silence, IProgress<int>? progress, TimeProvider time, CancellationToken stop)
+    public async Task<bool> ListenAsync(IProgramPort line, TimeSpan silence, IProgress<int>? progress, TimeProvider time, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(line);
         var heard = new byte[512];
@@ -48,7 +48,7 @@ public sealed class ProgramReceiver(CharacterFrame frame)
             while (await line.ReadAsync(heard, either.Token).ConfigureAwait(false) is > 0 and var count)
             {
                 quiet.CancelAfter(silence);
-                Take(heard.AsSpan(0, count));
+                Add(heard.AsSpan(0, count));
                 progress?.Report(Lines);
             }
 

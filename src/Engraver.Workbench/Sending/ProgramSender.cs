@@ -10,26 +10,26 @@ public sealed class ProgramSender
     /// <summary>Maximum number of characters written at once, which may still arrive after an XOFF. Controls for punched tape tolerate 16 or more.</summary>
     private const int Chunk = 8;
 
-    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(5);
+    private static readonly TimeSpan s_maxCatchUp = TimeSpan.FromMilliseconds(5);
 
-    private readonly IProgramLine _line;
+    private readonly IProgramPort _line;
     private readonly SendPace _pace;
     private readonly TimeProvider _time;
-    private readonly FlowGate _gate;
+    private readonly FlowControl _gate;
     private TimeSpan _due;
-    private long _begun;
+    private long _startTime;
     private long _characters;
     private int _lines;
 
-    private ProgramSender(IProgramLine line, SendPace pace, TimeProvider time)
+    private ProgramSender(IProgramPort line, SendPace pace, TimeProvider time)
     {
         (_line, _pace, _time) = (line, pace, time);
-        _gate = new FlowGate(line, pace.Frame, pace.ObeysXoff);
+        _gate = new FlowControl(line, pace.Frame, pace.ObeysXoff);
     }
 
     /// <summary>Sends everything.</summary>
     /// <returns>The result; a stop, a failed port and a pause that is too long are results too.</returns>
-    public static Task<SendResult> SendAsync(IProgramLine line, SendJob job, SendPace pace, IProgress<SendProgress>? progress, TimeProvider time, CancellationToken stop)
+    public static Task<SendResult> SendAsync(IProgramPort line, SendJob job, SendPace pace, IProgress<SendProgress>? progress, TimeProvider time, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(line);
         ArgumentNullException.ThrowIfNull(job);
@@ -40,7 +40,7 @@ public sealed class ProgramSender
 
     private async Task<SendResult> RunAsync(SendJob job, IProgress<SendProgress>? progress, CancellationToken stop)
     {
-        _begun = _time.GetTimestamp();
+        _startTime = _time.GetTimestamp();
         using var listening = new CancellationTokenSource();
         var ears = _gate.ListenAsync(listening.Token);
         try
@@ -55,11 +55,11 @@ public sealed class ProgramSender
         }
         catch (TimeoutException held)
         {
-            return Result(SendOutcome.HeldTooLong, job, held.Message);
+            return Result(SendOutcome.PausedTooLong, job, held.Message);
         }
         catch (IOException gone)
         {
-            return Result(SendOutcome.LinkLost, job, SystemReason.Of(gone));
+            return Result(SendOutcome.LinkLost, job, SystemErrorText.FromException(gone));
         }
         finally
         {
@@ -69,7 +69,7 @@ public sealed class ProgramSender
     }
 
     private SendResult Result(SendOutcome outcome, SendJob job, string? reason) =>
-        new(outcome, _lines, job.Lines.Count, _characters, _gate.Holds, _gate.Others, _time.GetElapsedTime(_begun).TotalSeconds, reason);
+        new(outcome, _lines, job.Lines.Count, _characters, _gate.Pauses, _gate.OtherBytes, _time.GetElapsedTime(_startTime).TotalSeconds, reason);
 
     private async Task SendAllAsync(SendJob job, IProgress<SendProgress>? progress, CancellationToken stop)
     {
@@ -78,7 +78,7 @@ public sealed class ProgramSender
         {
             await SendAsync(line, stop).ConfigureAwait(false);
             _lines++;
-            progress?.Report(new SendProgress(_lines, job.Lines.Count, _characters, _gate.Holds));
+            progress?.Report(new SendProgress(_lines, job.Lines.Count, _characters, _gate.Pauses));
             await WaitAsync(_pace.LineDelay, stop).ConfigureAwait(false);
         }
 
@@ -86,17 +86,17 @@ public sealed class ProgramSender
         await OpenAsync(stop).ConfigureAwait(false);
     }
 
-    private async Task SendAsync(ReadOnlyMemory<byte> bits, CancellationToken stop)
+    private async Task SendAsync(ReadOnlyMemory<byte> bytes, CancellationToken stop)
     {
         var most = _pace.CharacterDelay > TimeSpan.Zero ? 1 : Chunk;
-        while (!bits.IsEmpty)
+        while (!bytes.IsEmpty)
         {
             await OpenAsync(stop).ConfigureAwait(false);
-            var now = bits[..Math.Min(most, bits.Length)];
+            var now = bytes[..Math.Min(most, bytes.Length)];
             await _line.WriteAsync(now, stop).ConfigureAwait(false);
             await WaitAsync((_pace.CharacterTime + _pace.CharacterDelay) * now.Length, stop).ConfigureAwait(false);
             _characters += now.Length;
-            bits = bits[now.Length..];
+            bytes = bytes[now.Length..];
         }
     }
 
@@ -105,65 +105,23 @@ public sealed class ProgramSender
     private async Task OpenAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        var open = _gate.OpenAsync();
+        var open = _gate.WaitUntilOpenAsync();
         if (open.IsCompleted) return;
         try
         {
-            await open.WaitAsync(_pace.LongestHold, _time, stop).ConfigureAwait(false);
+            await open.WaitAsync(_pace.MaxPause, _time, stop).ConfigureAwait(false);
         }
         catch (TimeoutException never)
         {
-            throw new TimeoutException(Wording.Get("ProgramSender.XoffTimeout", _pace.LongestHold.TotalSeconds), never);
+            throw new TimeoutException(Wording.Get("ProgramSender.XoffTimeout", _pace.MaxPause.TotalSeconds), never);
         }
     }
 
     /// <summary>Waits by the schedule of the line: late timers do not slow down the transmission, and longer delays are not compensated by a burst.</summary>
     private async Task WaitAsync(TimeSpan span, CancellationToken stop)
     {
-        var now = _time.GetElapsedTime(_begun);
-        _due = (_due < now - s_moment ? now : _due) + span;
+        var now = _time.GetElapsedTime(_startTime);
+        _due = (_due < now - s_maxCatchUp ? now : _due) + span;
         if (_due > now) await Task.Delay(_due - now, _time, stop).ConfigureAwait(false);
     }
-}
-
-/// <summary>Rate and flow control of a transmission.</summary>
-/// <param name="Frame">Frame of received characters.</param>
-/// <param name="CharacterTime">Time of one character on the line.</param>
-public sealed record SendPace(CharacterFrame Frame, TimeSpan CharacterTime)
-{
-    /// <summary>Additional delay after every character.</summary>
-    public TimeSpan CharacterDelay { get; init; }
-
-    /// <summary>Delay after every line.</summary>
-    public TimeSpan LineDelay { get; init; }
-
-    /// <summary>True to obey XOFF and XON.</summary>
-    public bool ObeysXoff { get; init; } = true;
-
-    /// <summary>Maximum duration of one pause by the receiver.</summary>
-    public TimeSpan LongestHold { get; init; } = TimeSpan.FromSeconds(60);
-}
-
-/// <summary>Progress of a transmission.</summary>
-public sealed record SendProgress(int Lines, int AllLines, long Characters, int Holds);
-
-/// <summary>Result of a transmission.</summary>
-/// <param name="Lines">Lines of the program that were sent completely.</param>
-/// <param name="Characters">All sent characters, including leader and line ends.</param>
-/// <param name="Holds">Number of received XOFF.</param>
-/// <param name="Heard">Received characters other than XON and XOFF.</param>
-/// <param name="Reason">Why it failed, a sentence; null if it completed or was stopped.</param>
-public sealed record SendResult(SendOutcome Outcome, int Lines, int AllLines, long Characters, int Holds, long Heard, double Seconds, string? Reason);
-
-public enum SendOutcome : byte
-{
-    Complete,
-
-    /// <summary>Stopped by the operator.</summary>
-    Stopped,
-
-    LinkLost,
-
-    /// <summary>The other side sent XOFF and no XON in time.</summary>
-    HeldTooLong,
 }

@@ -19,7 +19,7 @@ public sealed class SendFile
     /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static SendFile Read(string path)
     {
-        var isAgie = path.EndsWith(new AgiePost().Ending, StringComparison.OrdinalIgnoreCase);
+        var isAgie = path.EndsWith(new AgiePost().FileExtension, StringComparison.OrdinalIgnoreCase);
         var lines = SendText.Lines(File.ReadAllBytes(path));
         return new SendFile(isAgie ? SendText.AgiePrograms(lines) : [lines], isAgie);
     }

@@ -8,9 +8,9 @@ public static class SendWording
         ArgumentNullException.ThrowIfNull(result);
         return result.Outcome switch
         {
-            SendOutcome.Complete => Wording.Get("Sending.Complete", result.Lines, result.Characters, result.Seconds, result.Holds),
-            SendOutcome.Stopped => Wording.Get("Sending.Stopped", result.Lines, result.AllLines),
-            _ => Wording.Get("Sending.Failed", result.Reason, result.Lines, result.AllLines),
+            SendOutcome.Complete => Wording.Get("Sending.Complete", result.Lines, result.Characters, result.Seconds, result.Pauses),
+            SendOutcome.Stopped => Wording.Get("Sending.Stopped", result.Lines, result.TotalLines),
+            _ => Wording.Get("Sending.Failed", result.Reason, result.Lines, result.TotalLines),
         };
     }
 }

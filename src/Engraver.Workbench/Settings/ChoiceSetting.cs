@@ -18,7 +18,7 @@ public class ChoiceSetting<T>(string key, Func<DrawingSettings, T> get, Func<Dra
 
     private static IReadOnlyList<string> OptionNames => [.. Enum.GetValues<T>().Select(Lower)];
 
-    public override Reading<T> ReadOption(string typed) => OptionNames.Contains(typed) ? new Reading<T>.Value(Enum.Parse<T>(typed, ignoreCase: true)) : new Reading<T>.Wrong(Wording.Get("ChoiceSetting.NotAChoice", typed, string.Join(", ", OptionNames)));
+    public override ParsedInput<T> ReadOption(string typed) => OptionNames.Contains(typed) ? new ParsedInput<T>.Value(Enum.Parse<T>(typed, ignoreCase: true)) : new ParsedInput<T>.Invalid(Wording.Get("ChoiceSetting.NotAChoice", typed, string.Join(", ", OptionNames)));
 
     public override string ToInput(DrawingSettings settings) => InputName(Get(settings).ToString());
 

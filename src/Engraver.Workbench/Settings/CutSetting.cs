@@ -17,16 +17,16 @@ public sealed class CutSetting : Setting<CutChoice>
 
     public override IReadOnlyList<string> OptionWords => [.. Enum.GetValues<CutChoice>().Where(choice => choice != CutChoice.None).Select(choice => choice.ToString().ToLowerInvariant())];
 
-    public override Reading<CutChoice> ReadOption(string typed)
+    public override ParsedInput<CutChoice> ReadOption(string typed)
     {
         var choice = CutChoice.None;
         foreach (var word in NamesSetting.Split(typed))
         {
-            if (!char.IsAsciiLetter(word[0]) || !Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) return new Reading<CutChoice>.Wrong(Wording.Get("CutSetting.CannotBeCut", word, string.Join(", ", OptionWords)));
+            if (!char.IsAsciiLetter(word[0]) || !Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) return new ParsedInput<CutChoice>.Invalid(Wording.Get("CutSetting.CannotBeCut", word, string.Join(", ", OptionWords)));
             choice |= one;
         }
 
-        return new Reading<CutChoice>.Value(choice);
+        return new ParsedInput<CutChoice>.Value(choice);
     }
 
     protected override string WordOf(CutChoice value) => TypedNumber.Exact((int)value);

@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Settings;
 /// <summary>What the desktop remembers between two starts. Immutable; the defaults are those of the first start.</summary>
 public sealed record DesktopSettings
 {
-    public const int MostRecentFiles = 10;
+    public const int MaxRecentFiles = 10;
 
     public static DesktopSettings Default { get; } = new();
 
@@ -53,7 +53,7 @@ public sealed record DesktopSettings
     /// <summary>These settings with a file at the head of the recent ones; views of files that drop out of the list are forgotten.</summary>
     public DesktopSettings WithRecent(string path)
     {
-        var recent = RecentFiles.Where(file => file != path).Prepend(path).Take(MostRecentFiles).ToList();
+        var recent = RecentFiles.Where(file => file != path).Prepend(path).Take(MaxRecentFiles).ToList();
         return this with { RecentFiles = recent, Views = Views.Where(view => recent.Contains(view.Key)).ToDictionary() };
     }
 
@@ -73,16 +73,4 @@ public sealed record DesktopSettings
     public DesktopSettings WithView(string path, SavedView view) => this with { Views = new Dictionary<string, SavedView>(Views) { [path] = view } };
 
     private static IReadOnlyList<string> With(IReadOnlyList<string> names, string name, bool isThere) => isThere ? [.. names.Where(other => other != name), name] : [.. names.Where(other => other != name)];
-}
-
-/// <summary>Centre and height of a view, drawing units.</summary>
-public sealed record SavedView(double CentreX, double CentreY, double Height);
-
-public enum DesktopTheme
-{
-    Dark,
-    Light,
-
-    /// <summary>White on black.</summary>
-    HighContrast,
 }

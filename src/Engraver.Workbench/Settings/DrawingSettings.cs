@@ -40,7 +40,7 @@ public sealed record DrawingSettings
     public FinishPlace Finish { get; init; }
 
     /// <summary>Where cutting must begin; null: free choice.</summary>
-    public EnteringPlace? Enter { get; init; }
+    public EntryPoint? Enter { get; init; }
 
     public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
 
@@ -65,17 +65,4 @@ public sealed record DrawingSettings
         ArgumentNullException.ThrowIfNull(drawing);
         return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null };
     }
-}
-
-/// <summary>The entering entity (paper 000, ENTER): named by its handle or by a drawing point, mm.</summary>
-public abstract record EnteringPlace
-{
-    private EnteringPlace()
-    {
-    }
-
-    /// <param name="Handle">Hexadecimal DXF handle, case does not matter.</param>
-    public sealed record ByHandle(string Handle) : EnteringPlace;
-
-    public sealed record ByPoint(Point2D Point) : EnteringPlace;
 }

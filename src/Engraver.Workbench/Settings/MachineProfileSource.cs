@@ -29,7 +29,7 @@ public static class MachineProfileSource
     /// <summary>The content of a file, and everything that is wrong with it.</summary>
     /// <param name="families">The controller families that it may name.</param>
     /// <exception cref="SettingException">The file cannot be read.</exception>
-    public static MachineProfileReading Read(string path, MachineFamilies families)
+    public static MachineProfileReadResult Read(string path, MachineFamilies families)
     {
         ArgumentNullException.ThrowIfNull(families);
         try
@@ -38,7 +38,7 @@ public static class MachineProfileSource
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, SystemReason.Of(unreadable)), unreadable);
+            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 }

@@ -18,7 +18,7 @@ public sealed partial class NamesSetting(string key, Func<DrawingSettings, IRead
 
     public override bool OptionMayBeEmpty => true;
 
-    public override Reading<IReadOnlyList<string>?> ReadOption(string typed) => new Reading<IReadOnlyList<string>?>.Value(Split(typed));
+    public override ParsedInput<IReadOnlyList<string>?> ReadOption(string typed) => new ParsedInput<IReadOnlyList<string>?>.Value(Split(typed));
 
     /// <summary>Names separated by commas. A name that contains a comma is in double quotes, in which a double quote is written twice.</summary>
     public static IReadOnlyList<string> Split(string typed) =>

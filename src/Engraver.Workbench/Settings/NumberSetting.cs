@@ -8,9 +8,9 @@ public class NumberSetting(string key, Func<DrawingSettings, double> get, Func<D
 {
     public override string? OptionDefault => DefaultText;
 
-    public override Reading<double> ReadOption(string typed) => Min > 0.0 ? TypedNumber.AboveZero(typed) : TypedNumber.FromZero(typed);
+    public override ParsedInput<double> ReadOption(string typed) => Min > 0.0 ? TypedNumber.AboveZero(typed) : TypedNumber.FromZero(typed);
 
-    public override string ToInput(DrawingSettings settings) => NumberPrompt.Show(Get(settings));
+    public override string ToInput(DrawingSettings settings) => NumberPrompt.Format(Get(settings));
 
     public override DrawingSettings FromInput(DrawingSettings settings, string input) => With(settings, TypedNumber.Parse(input));
 

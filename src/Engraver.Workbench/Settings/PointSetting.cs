@@ -8,11 +8,11 @@ public sealed class PointSetting(string key, Func<DrawingSettings, Point2D> get,
 {
     public override string? Argument => "X,Y";
 
-    public override Reading<Point2D> ReadOption(string typed) => TryTyped(typed) is { } point ? new Reading<Point2D>.Value(point) : new Reading<Point2D>.Wrong(Wording.Get("PointSetting.NotAPoint", typed));
+    public override ParsedInput<Point2D> ReadOption(string typed) => TryTyped(typed) is { } point ? new ParsedInput<Point2D>.Value(point) : new ParsedInput<Point2D>.Invalid(Wording.Get("PointSetting.NotAPoint", typed));
 
     /// <summary>A point typed as X,Y; null for another text.</summary>
     public static Point2D? TryTyped(string typed) =>
-        typed.Split(',') is [var first, var second] && NumberPrompt.TryNumber(first, out var x) && NumberPrompt.TryNumber(second, out var y) ? new Point2D(x, y) : null;
+        typed.Split(',') is [var first, var second] && NumberPrompt.TryParse(first, out var x) && NumberPrompt.TryParse(second, out var y) ? new Point2D(x, y) : null;
 
     /// <summary>The point exactly.</summary>
     public static string Exact(Point2D point) => $"{TypedNumber.Exact(point.X)},{TypedNumber.Exact(point.Y)}";

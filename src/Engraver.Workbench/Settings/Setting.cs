@@ -120,7 +120,7 @@ public abstract class Setting<T>(string key, Func<DrawingSettings, T> get, Func<
     public DrawingSettings With(DrawingSettings settings, T value) => with(settings, value);
 
     /// <summary>Reads the text of the option.</summary>
-    public abstract Reading<T> ReadOption(string typed);
+    public abstract ParsedInput<T> ReadOption(string typed);
 
     /// <summary>A value as files keep it; null for nothing to keep.</summary>
     protected abstract string? WordOf(T value);
@@ -130,12 +130,12 @@ public abstract class Setting<T>(string key, Func<DrawingSettings, T> get, Func<
 
     protected override string DefaultText => WordOf(DefaultValue) ?? "";
 
-    public sealed override string? WhyNotOption(string typed) => ReadOption(typed) is Reading<T>.Wrong wrong ? wrong.Sentence : null;
+    public sealed override string? WhyNotOption(string typed) => ReadOption(typed) is ParsedInput<T>.Invalid wrong ? wrong.Message : null;
 
     public override DrawingSettings FromOption(DrawingSettings settings, string typed, Action<string, Diagnostic> warn) => ReadOption(typed) switch
     {
-        Reading<T>.Value value => with(settings, value.Of),
-        Reading<T>.Wrong wrong => throw new SettingException($"{Option}: {wrong.Sentence}"),
+        ParsedInput<T>.Value value => with(settings, value.Result),
+        ParsedInput<T>.Invalid wrong => throw new SettingException($"{Option}: {wrong.Message}"),
         _ => throw new System.Diagnostics.UnreachableException(),
     };
 

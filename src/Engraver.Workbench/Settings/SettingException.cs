@@ -20,12 +20,12 @@ public sealed class SettingException : Exception
     }
 
     /// <summary>More layers of the drawing are not named.</summary>
-    private const int MostLayers = 20;
+    private const int MaxLayers = 20;
 
     public static SettingException UnknownLayers(IReadOnlyList<string> unknown, IReadOnlyList<Layer> layers)
     {
-        var (missing, known) = (Quoted(unknown), Quoted(layers.Take(MostLayers).Select(layer => layer.Name)));
-        return new(layers.Count > MostLayers ? Wording.Get("SettingException.LayerNotFoundOfMany", missing, known, MostLayers) : Wording.Get("SettingException.LayerNotFound", missing, known));
+        var (missing, known) = (Quoted(unknown), Quoted(layers.Take(MaxLayers).Select(layer => layer.Name)));
+        return new(layers.Count > MaxLayers ? Wording.Get("SettingException.LayerNotFoundOfMany", missing, known, MaxLayers) : Wording.Get("SettingException.LayerNotFound", missing, known));
     }
 
     public static SettingException UnknownHandle(string handle) => new(Wording.Get("SettingException.HandleNotFound", handle));

@@ -16,15 +16,15 @@ public static class SettingsFile
         try
         {
             var read = File.Exists(path) ? JsonSerializer.Deserialize(File.ReadAllText(path), DesktopSettingsJson.Default.DesktopSettings) : DesktopSettings.Default;
-            return read is null ? SetAside(path, Wording.Get("SettingsFile.Empty"), time) : (Checked(read), null);
+            return read is null ? MoveAside(path, Wording.Get("SettingsFile.Empty"), time) : (Checked(read), null);
         }
         catch (JsonException broken)
         {
-            return SetAside(path, SystemReason.Of(broken), time);
+            return MoveAside(path, SystemErrorText.FromException(broken), time);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.CannotRead", path, SystemReason.Of(unreadable)));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.CannotRead", path, SystemErrorText.FromException(unreadable)));
         }
     }
 
@@ -36,7 +36,7 @@ public static class SettingsFile
         OutputFile.Write(path, output => output.WriteLine(JsonSerializer.Serialize(settings, DesktopSettingsJson.Default.DesktopSettings)));
     }
 
-    private static (DesktopSettings Settings, string? Finding) SetAside(string path, string why, TimeProvider time)
+    private static (DesktopSettings Settings, string? Finding) MoveAside(string path, string why, TimeProvider time)
     {
         var aside = string.Create(CultureInfo.InvariantCulture, $"{path}.broken-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}");
         try
@@ -46,26 +46,26 @@ public static class SettingsFile
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.InvalidNotRenamed", path, why, SystemReason.Of(stuck)));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.InvalidNotRenamed", path, why, SystemErrorText.FromException(stuck)));
         }
     }
 
     /// <summary>The settings with their defaults where JSON says null, and with window sizes and scales in their ranges.</summary>
     private static DesktopSettings Checked(DesktopSettings read) => read with
     {
-        RecentFiles = [.. (read.RecentFiles ?? []).OfType<string>().Take(DesktopSettings.MostRecentFiles)],
+        RecentFiles = [.. (read.RecentFiles ?? []).OfType<string>().Take(DesktopSettings.MaxRecentFiles)],
         FileFolders = read.FileFolders ?? DesktopSettings.Default.FileFolders,
         PanelSizes = read.PanelSizes ?? DesktopSettings.Default.PanelSizes,
         FoldedPanels = read.FoldedPanels ?? [],
         PanelsOpenWhenSmall = read.PanelsOpenWhenSmall ?? [],
         Variables = read.Variables ?? DesktopSettings.Default.Variables,
         Views = read.Views ?? DesktopSettings.Default.Views,
-        Scale = Sane(read.Scale, 0.5, 4.0, 1.0),
-        WindowWidth = Sane(read.WindowWidth, 320.0, 20000.0, 1280.0),
-        WindowHeight = Sane(read.WindowHeight, 240.0, 20000.0, 800.0),
+        Scale = InRangeOr(read.Scale, 0.5, 4.0, 1.0),
+        WindowWidth = InRangeOr(read.WindowWidth, 320.0, 20000.0, 1280.0),
+        WindowHeight = InRangeOr(read.WindowHeight, 240.0, 20000.0, 800.0),
     };
 
-    private static double Sane(double value, double least, double most, double otherwise) => value >= least && value <= most ? value : otherwise;
+    private static double InRangeOr(double value, double min, double max, double otherwise) => value >= min && value <= max ? value : otherwise;
 }
 
 [JsonSourceGenerationOptions(WriteIndented = true, PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, UseStringEnumConverter = true)]

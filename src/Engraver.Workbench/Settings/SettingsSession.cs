@@ -49,7 +49,7 @@ public sealed class SettingsSession
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            Finding = Wording.Get("SettingsSession.NotSaved", _path, SystemReason.Of(stuck));
+            Finding = Wording.Get("SettingsSession.NotSaved", _path, SystemErrorText.FromException(stuck));
         }
     }
 }

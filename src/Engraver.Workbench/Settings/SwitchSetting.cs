@@ -13,7 +13,7 @@ public sealed class SwitchSetting : Setting<bool>
 
     public override bool IsSwitch => true;
 
-    public override Reading<bool> ReadOption(string typed) => new Reading<bool>.Value(typed == On);
+    public override ParsedInput<bool> ReadOption(string typed) => new ParsedInput<bool>.Value(typed == On);
 
     protected override string WordOf(bool value) => value ? On : Off;
 

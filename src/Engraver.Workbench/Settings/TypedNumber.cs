@@ -11,10 +11,10 @@ public static class TypedNumber
     public const double Largest = 1e9;
 
     /// <summary>Reads a number above 0.</summary>
-    public static Reading<double> AboveZero(string typed) => Read(typed, value => value > 0.0, "TypedNumber.NotAboveZero");
+    public static ParsedInput<double> AboveZero(string typed) => Read(typed, value => value > 0.0, "TypedNumber.NotAboveZero");
 
     /// <summary>Reads a number from 0.</summary>
-    public static Reading<double> FromZero(string typed) => Read(typed, value => value >= 0.0, "TypedNumber.NotFromZero");
+    public static ParsedInput<double> FromZero(string typed) => Read(typed, value => value >= 0.0, "TypedNumber.NotFromZero");
 
     /// <summary>The number such that <see cref="Parse"/> returns the same one.</summary>
     public static string Exact(double value) => value.ToString("R", CultureInfo.InvariantCulture);
@@ -22,6 +22,6 @@ public static class TypedNumber
     /// <exception cref="FormatException">The word is not a finite number.</exception>
     public static double Parse(string word) => double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && double.IsFinite(value) ? value : throw new FormatException(word);
 
-    private static Reading<double> Read(string typed, Func<double, bool> isAllowed, string text) =>
-        NumberPrompt.TryNumber(typed, out var value) && value <= Largest && isAllowed(value) ? new Reading<double>.Value(value) : new Reading<double>.Wrong(Wording.Get(text, typed));
+    private static ParsedInput<double> Read(string typed, Func<double, bool> isAllowed, string text) =>
+        NumberPrompt.TryParse(typed, out var value) && value <= Largest && isAllowed(value) ? new ParsedInput<double>.Value(value) : new ParsedInput<double>.Invalid(Wording.Get(text, typed));
 }

@@ -20,7 +20,7 @@ public sealed class UnitSetting : Setting<LengthUnit?>
 
     public override string? OptionDefault => Auto;
 
-    public override Reading<LengthUnit?> ReadOption(string typed) => new Reading<LengthUnit?>.Value(typed switch { "mm" => LengthUnits.ChosenFrom(4), "inch" => LengthUnits.ChosenFrom(1), _ => null });
+    public override ParsedInput<LengthUnit?> ReadOption(string typed) => new ParsedInput<LengthUnit?>.Value(typed switch { "mm" => LengthUnits.ChosenFrom(4), "inch" => LengthUnits.ChosenFrom(1), _ => null });
 
     public override string ToInput(DrawingSettings settings) => ToWord(settings) ?? Unitless;
 

@@ -36,7 +36,7 @@ public static class SidecarFile
         }
         catch (JsonException damaged)
         {
-            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, SystemReason.Of(damaged))]);
+            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, SystemErrorText.FromException(damaged))]);
         }
         catch (SidecarVersionException other)
         {
@@ -44,7 +44,7 @@ public static class SidecarFile
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new SidecarReading(null, null, [SidecarRules.Unreadable.At(default, name, SystemReason.Of(unreadable))]);
+            return new SidecarReading(null, null, [SidecarRules.Unreadable.At(default, name, SystemErrorText.FromException(unreadable))]);
         }
     }
 

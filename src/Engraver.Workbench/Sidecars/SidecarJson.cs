@@ -12,7 +12,7 @@ internal sealed class SidecarJson
 
     public TrajectorySettingsJson? TrajectorySettings { get; set; }
 
-    public List<TrajectoryJson>? Trajectories { get; set; }
+    public List<SidecarTrajectoryJson>? Trajectories { get; set; }
 
     [JsonExtensionData]
     public Dictionary<string, JsonElement>? Others { get; set; }
@@ -22,38 +22,6 @@ internal sealed class SidecarJson
 internal sealed record DrawingJson(string? File, string? Fingerprint);
 
 internal sealed record TrajectorySettingsJson(double? MaxError, bool? DynamicDensity, double? SegmentLength, double? PlaneZ, string? Corners, int? NextNumber);
-
-internal sealed class TrajectoryJson
-{
-    public string? Name { get; set; }
-
-    public bool Closed { get; set; }
-
-    public double Z { get; set; }
-
-    public double MaxError { get; set; }
-
-    public double? SegmentLength { get; set; }
-
-    public List<string>? Handles { get; set; }
-
-    public TrajectoryOriginJson? Made { get; set; }
-
-    /// <summary>Informative; recomputed from the points when the file is read.</summary>
-    public double? VerifiedBound { get; set; }
-
-    public double? Length { get; set; }
-
-    /// <summary>x, y or x, y, z: phantom, points visited, phantom.</summary>
-    public double[][]? Lines { get; set; }
-
-    public double[]? Knots { get; set; }
-
-    public SegmentJson[]? Source { get; set; }
-
-    [JsonExtensionData]
-    public Dictionary<string, JsonElement>? Others { get; set; }
-}
 
 /// <param name="Drawn">Fingerprint of the entities.</param>
 /// <param name="Side">Only with an offset.</param>

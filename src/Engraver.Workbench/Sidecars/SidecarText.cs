@@ -27,7 +27,7 @@ public static class SidecarText
             Drawing = new DrawingJson(drawing, fingerprint),
             TrajectorySettings = new TrajectorySettingsJson(settings.MaxErrorMm, settings.DynamicDensity, settings.SegmentLengthMm, settings.PlaneZ, CornersWord(settings.Corners), sidecar.Trajectories.NextNumber),
             Trajectories = [.. sidecar.Trajectories.All.Select(TrajectoryEntry.ToJson)],
-            Others = new Dictionary<string, JsonElement>(sidecar.Others),
+            Others = new Dictionary<string, JsonElement>(sidecar.UnknownMembers),
         };
         using var memory = new MemoryStream();
         using (var writer = new Utf8JsonWriter(memory, new JsonWriterOptions { Indented = false, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
@@ -46,14 +46,14 @@ public static class SidecarText
         ArgumentNullException.ThrowIfNull(text);
         var minor = MinorOf(text);
         var json = JsonSerializer.Deserialize(text, SidecarJsonContext.Default.SidecarJson)!;
-        List<DocumentTrajectory> all = [.. (json.Trajectories ?? []).Select((one, index) => TrajectoryEntry.FromJson(one ?? throw Wrong($"trajectories[{index}]"), $"trajectories[{index}]"))];
-        if (all.GroupBy(one => one.Name, StringComparer.OrdinalIgnoreCase).FirstOrDefault(same => same.Count() > 1) is { } twice) throw Wrong(Wording.Get("Sidecar.NameTwice", twice.Key));
+        List<DocumentTrajectory> all = [.. (json.Trajectories ?? []).Select((one, index) => TrajectoryEntry.FromJson(one ?? throw InvalidFile($"trajectories[{index}]"), $"trajectories[{index}]"))];
+        if (all.GroupBy(one => one.Name, StringComparer.OrdinalIgnoreCase).FirstOrDefault(same => same.Count() > 1) is { } twice) throw InvalidFile(Wording.Get("Sidecar.NameTwice", twice.Key));
         var list = new TrajectoryList { All = all, Settings = SettingsOf(json.TrajectorySettings), NextNumber = json.TrajectorySettings?.NextNumber ?? all.Count };
-        if (list.NextNumber < 0) throw Wrong("trajectorySettings.nextNumber");
-        return (new Sidecar { Trajectories = list, Others = [.. json.Others ?? []], Minor = minor }, json.Drawing?.Fingerprint);
+        if (list.NextNumber < 0) throw InvalidFile("trajectorySettings.nextNumber");
+        return (new Sidecar { Trajectories = list, UnknownMembers = [.. json.Others ?? []], Minor = minor }, json.Drawing?.Fingerprint);
     }
 
-    internal static JsonException Wrong(string what) => new(Wording.Get("Sidecar.Invalid", what));
+    internal static JsonException InvalidFile(string what) => new(Wording.Get("Sidecar.Invalid", what));
 
     private static TrajectorySettings SettingsOf(TrajectorySettingsJson? json)
     {
@@ -67,38 +67,19 @@ public static class SidecarText
             PlaneZ = json.PlaneZ ?? standard.PlaneZ,
             Corners = CornersOf(json.Corners, "trajectorySettings.corners"),
         };
-        return settings is { MaxErrorMm: > 0.0, SegmentLengthMm: > 0.0 } ? settings : throw Wrong("trajectorySettings");
+        return settings is { MaxErrorMm: > 0.0, SegmentLengthMm: > 0.0 } ? settings : throw InvalidFile("trajectorySettings");
     }
 
     private static int MinorOf(string text)
     {
         using var json = JsonDocument.Parse(text);
-        if (json.RootElement.ValueKind != JsonValueKind.Object || !json.RootElement.TryGetProperty("version", out var version) || version.ValueKind != JsonValueKind.String) throw Wrong("version");
+        if (json.RootElement.ValueKind != JsonValueKind.Object || !json.RootElement.TryGetProperty("version", out var version) || version.ValueKind != JsonValueKind.String) throw InvalidFile("version");
         var parts = version.GetString()!.Split('.');
-        if (parts.Length != 2 || !int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out var major) || !int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out var minor)) throw Wrong("version");
+        if (parts.Length != 2 || !int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out var major) || !int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out var minor)) throw InvalidFile("version");
         return major == Major ? minor : throw new SidecarVersionException(version.GetString()!);
     }
 
-    internal static CornerMode CornersOf(string? word, string where) => word switch { null or "stop" => CornerMode.Stop, "continuous" => CornerMode.Continuous, _ => throw Wrong(where) };
+    internal static CornerMode CornersOf(string? word, string where) => word switch { null or "stop" => CornerMode.Stop, "continuous" => CornerMode.Continuous, _ => throw InvalidFile(where) };
 
     internal static string CornersWord(CornerMode corners) => corners == CornerMode.Stop ? "stop" : "continuous";
-}
-
-/// <summary>The file has an unknown version.</summary>
-public sealed class SidecarVersionException : Exception
-{
-    public SidecarVersionException()
-    {
-    }
-
-    /// <param name="message">The version.</param>
-    public SidecarVersionException(string message)
-        : base(message)
-    {
-    }
-
-    public SidecarVersionException(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
 }

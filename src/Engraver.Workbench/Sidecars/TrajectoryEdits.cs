@@ -29,7 +29,7 @@ public sealed class TrajectoryEdits
     }
 
     /// <summary>Fingerprint of the entities with these handles in their current state; empty if one no longer exists or there are none.</summary>
-    public string DrawnOf(IReadOnlyList<string> handles) => EntitiesOf(handles) is { Count: > 0 } entities
+    public string FingerprintOf(IReadOnlyList<string> handles) => EntitiesOf(handles) is { Count: > 0 } entities
         ? DrawnFingerprint.Of([.. entities.SelectMany(index => Enumerable.Range(_drawing.Entities[index].FirstPart, _drawing.Entities[index].PartCount)).Select(part => _drawing.SegmentOf(_drawing.Parts[part]))])
         : "";
 
@@ -37,7 +37,7 @@ public sealed class TrajectoryEdits
     public bool IsStale(DocumentTrajectory one)
     {
         ArgumentNullException.ThrowIfNull(one);
-        return one.Origin is { } origin && origin.Drawn != DrawnOf(one.Handles);
+        return one.Origin is { } origin && origin.SourceFingerprint != FingerprintOf(one.Handles);
     }
 
     /// <summary>A warning if trajectories no longer follow the drawing, which names the first one.</summary>

@@ -10,10 +10,10 @@ internal static class TrajectoryEntry
 {
     private static readonly (string Word, OffsetSide Side)[] s_sides = [("left", OffsetSide.Left), ("right", OffsetSide.Right), ("in", OffsetSide.In), ("out", OffsetSide.Out)];
 
-    public static TrajectoryJson ToJson(DocumentTrajectory one)
+    public static SidecarTrajectoryJson ToJson(DocumentTrajectory one)
     {
         var curve = one.Curve;
-        return new TrajectoryJson
+        return new SidecarTrajectoryJson
         {
             Name = one.Name,
             Closed = curve.Closed,
@@ -32,16 +32,16 @@ internal static class TrajectoryEntry
     }
 
     /// <exception cref="JsonException">It is incomplete or contradicts itself.</exception>
-    public static DocumentTrajectory FromJson(TrajectoryJson json, string where)
+    public static DocumentTrajectory FromJson(SidecarTrajectoryJson json, string where)
     {
-        if (json.Name is null || !DocumentTrajectory.IsName(json.Name)) throw SidecarText.Wrong(where + ".name");
-        if (!(json.MaxError > 0.0) || json.SegmentLength is <= 0.0) throw SidecarText.Wrong(where + ".maxError");
-        var rows = json.Lines ?? throw SidecarText.Wrong(where + ".lines");
+        if (json.Name is null || !DocumentTrajectory.IsName(json.Name)) throw SidecarText.InvalidFile(where + ".name");
+        if (!(json.MaxError > 0.0) || json.SegmentLength is <= 0.0) throw SidecarText.InvalidFile(where + ".maxError");
+        var rows = json.Lines ?? throw SidecarText.InvalidFile(where + ".lines");
         var inSpace = rows.Length > 0 && rows[0] is { Length: 3 };
-        if (rows.Any(row => row is null || row.Length != (inSpace ? 3 : 2))) throw SidecarText.Wrong(where + ".lines");
-        Segment[] source = [.. (json.Source ?? throw SidecarText.Wrong(where + ".source")).Select((segment, i) => FromJson(segment, $"{where}.source[{i}]"))];
+        if (rows.Any(row => row is null || row.Length != (inSpace ? 3 : 2))) throw SidecarText.InvalidFile(where + ".lines");
+        Segment[] source = [.. (json.Source ?? throw SidecarText.InvalidFile(where + ".source")).Select((segment, i) => FromJson(segment, $"{where}.source[{i}]"))];
         var curve = TrajectoryProof.Prove([.. rows.Select(row => new Point2D(row[0], row[1]))], json.Knots ?? [], source, json.Closed, inSpace ? [.. rows.Select(row => row[2])] : null);
-        if (curve is null) throw SidecarText.Wrong(where + ".knots");
+        if (curve is null) throw SidecarText.InvalidFile(where + ".knots");
         return new DocumentTrajectory(json.Name, inSpace ? curve : curve with { Z = json.Z }, json.MaxError)
         {
             SegmentLengthMm = json.SegmentLength,
@@ -52,14 +52,14 @@ internal static class TrajectoryEntry
     }
 
     private static TrajectoryOriginJson? ToJson(TrajectoryOrigin? origin) => origin is null ? null
-        : new(origin.Group, origin.Index, origin.Count, origin.Drawn, origin.Offset, origin.Offset is null ? null : s_sides.First(side => side.Side == origin.Side).Word, SidecarText.CornersWord(origin.Corners));
+        : new(origin.Group, origin.Index, origin.Count, origin.SourceFingerprint, origin.Offset, origin.Offset is null ? null : s_sides.First(side => side.Side == origin.Side).Word, SidecarText.CornersWord(origin.Corners));
 
     private static TrajectoryOrigin? OriginOf(TrajectoryOriginJson? json, string where)
     {
         if (json is null) return null;
-        if (json is not { Group: >= 0, Index: >= 0, Drawn: { Length: > 0 } drawn, Offset: null or > 0.0 } || json.Count <= json.Index) throw SidecarText.Wrong(where);
+        if (json is not { Group: >= 0, Index: >= 0, Drawn: { Length: > 0 } drawn, Offset: null or > 0.0 } || json.Count <= json.Index) throw SidecarText.InvalidFile(where);
         var side = s_sides.Where(side => side.Word == json.Side).Select(side => (OffsetSide?)side.Side).FirstOrDefault();
-        if (side is null && json.Offset is not null) throw SidecarText.Wrong(where + ".side");
+        if (side is null && json.Offset is not null) throw SidecarText.InvalidFile(where + ".side");
         return new TrajectoryOrigin(json.Group, json.Index, json.Count, drawn) { Offset = json.Offset, Side = side ?? default, Corners = SidecarText.CornersOf(json.Corners, where + ".corners") };
     }
 
@@ -83,14 +83,14 @@ internal static class TrajectoryEntry
             ArcOf(new ArcSegment(new Point2D(x, y), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), new Point2D(x1, y1), new Point2D(x2, y2), where),
         { Ellipse: { Length: > 0 } spans } => CurveOf(SegmentKind.Ellipse, spans, where),
         { Spline: { Length: > 0 } spans } => CurveOf(SegmentKind.Spline, spans, where),
-        _ => throw SidecarText.Wrong(where),
+        _ => throw SidecarText.InvalidFile(where),
     };
 
     /// <summary>Checks the end points, because wrong ones would invalidate the error bound.</summary>
     private static Segment ArcOf(ArcSegment arc, Point2D start, Point2D end, string where)
     {
         var near = 1e-9 * (1.0 + arc.Radius + Math.Abs(arc.Centre.X) + Math.Abs(arc.Centre.Y));
-        return arc.StartPoint.IsNear(start, near) && arc.EndPoint.IsNear(end, near) ? Segment.FromArc(arc, start, end) : throw SidecarText.Wrong(where);
+        return arc.StartPoint.IsNear(start, near) && arc.EndPoint.IsNear(end, near) ? Segment.FromArc(arc, start, end) : throw SidecarText.InvalidFile(where);
     }
 
     private static Segment CurveOf(SegmentKind kind, double[][] spans, string where)
@@ -98,8 +98,8 @@ internal static class TrajectoryEntry
         const int HighestDegree = 24;
         foreach (var span in spans)
         {
-            if (span is null || span.Length % BezierSpan.Stride != 0 || span.Length / BezierSpan.Stride is < 2 or > HighestDegree + 1) throw SidecarText.Wrong(where);
-            for (var i = BezierSpan.Stride - 1; i < span.Length; i += BezierSpan.Stride) if (!(span[i] > 0.0)) throw SidecarText.Wrong(where);
+            if (span is null || span.Length % BezierSpan.Stride != 0 || span.Length / BezierSpan.Stride is < 2 or > HighestDegree + 1) throw SidecarText.InvalidFile(where);
+            for (var i = BezierSpan.Stride - 1; i < span.Length; i += BezierSpan.Stride) if (!(span[i] > 0.0)) throw SidecarText.InvalidFile(where);
         }
 
         return Segment.FromCurve(new RationalCurve(kind, [.. spans.Select(span => new BezierSpan(span))]));

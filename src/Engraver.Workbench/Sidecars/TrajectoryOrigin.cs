@@ -7,8 +7,8 @@ namespace Engraver.Workbench.Sidecars;
 /// <param name="Group">Common number of all trajectories of one contour, or of contours offset together, at one distance.</param>
 /// <param name="Index">Index in the group at one height; 0 is first.</param>
 /// <param name="Count">Number of trajectories in the group at one height.</param>
-/// <param name="Drawn">Fingerprint of the curves of its entities (<see cref="DocumentTrajectory.Handles"/>) at that time.</param>
-public sealed record TrajectoryOrigin(int Group, int Index, int Count, string Drawn)
+/// <param name="SourceFingerprint">Fingerprint of the curves of its entities (<see cref="DocumentTrajectory.Handles"/>) at that time.</param>
+public sealed record TrajectoryOrigin(int Group, int Index, int Count, string SourceFingerprint)
 {
     /// <summary>Offset distance, millimetres; null: it follows the drawing.</summary>
     public double? Offset { get; init; }

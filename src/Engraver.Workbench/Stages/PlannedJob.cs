@@ -13,7 +13,7 @@ public sealed record PlannedJob : CheckedJob
     }
 
     /// <summary>The posted program of the machine's own controller, written on first access; null if there is nothing to cut.</summary>
-    public Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
+    public Lazy<PostOutput?> Posted { get; init; } = new((PostOutput?)null);
 
     /// <summary>The motion over time; null if there is nothing to cut.</summary>
     public PlannedMotion? Planned { get; init; }

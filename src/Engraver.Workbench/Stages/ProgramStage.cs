@@ -19,7 +19,7 @@ internal sealed class ProgramStage() : JobStage<CheckedJob, PlannedJob>("Program
         var driver = MachineFamilies.DriverOf(program.Profile);
         var post = PostTable.ForMotion(driver, program.Style)?.Post;
         var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, ReadOnlyDictionary<string, string>.Empty) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm };
-        var posted = new Lazy<PostText?>(() => post?.Write(request));
+        var posted = new Lazy<PostOutput?>(() => post?.Write(request));
         var findings = post?.Findings(request) ?? [];
         cancellation.ThrowIfCancellationRequested();
         return new PlannedJob(job)

@@ -33,7 +33,7 @@ public static class StageOptions
         ArcTolerance = settings.RecoverArcs ? settings.MaxErrorMm : null,
         ToolStart = settings.Start,
         Order = settings.Order,
-        Enter = Entering(drawing, settings.Enter),
+        Entry = Entering(drawing, settings.Enter),
         CutsHeights = settings.Machine.Height is not null,
     };
 
@@ -44,14 +44,14 @@ public static class StageOptions
     {
         var options = SequencingFor(job.Drawing, job.Settings);
         if (job.Cut.Kerf is not { } kerf) return options;
-        return options with { JoinTolerance = kerf.KeepsOpen ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null };
+        return options with { JoinTolerance = kerf.HasOpenContours ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null };
     }
 
-    private static EnterAt? Entering(Drawing drawing, EnteringPlace? place) => place switch
+    private static EntryRequest? Entering(Drawing drawing, EntryPoint? place) => place switch
     {
         null => null,
-        EnteringPlace.ByPoint point => new EnterAt.AtPlace(point.Point),
-        EnteringPlace.ByHandle handle => new EnterAt.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
+        EntryPoint.ByPoint point => new EntryRequest.AtPlace(point.Point),
+        EntryPoint.ByHandle handle => new EntryRequest.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
         _ => throw new UnreachableException(),
     };
 }

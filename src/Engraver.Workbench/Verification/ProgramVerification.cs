@@ -15,9 +15,9 @@ namespace Engraver.Workbench.Verification;
 /// <summary>Reads a posted program back and compares its cut with a drawing in both directions.</summary>
 public static class ProgramVerification
 {
-    /// <summary>Time limit of a program as a multiple of the slowest execution mode, plus <see cref="PatienceSeconds"/>.</summary>
-    private const double Patience = 4.0;
-    private const double PatienceSeconds = 60.0;
+    /// <summary>Time limit of a program as a multiple of the slowest execution mode, plus <see cref="ExtraTimeoutSeconds"/>.</summary>
+    private const double TimeoutFactor = 4.0;
+    private const double ExtraTimeoutSeconds = 60.0;
 
     /// <summary>Runs the program and compares.</summary>
     /// <param name="reader">Reader of the program's language.</param>
@@ -25,19 +25,19 @@ public static class ProgramVerification
     /// <param name="posted">Its post parameters; null for the defaults.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostedWith? posted = null)
+    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostParameters? posted = null)
     {
-        posted ??= PostedWith.Defaults;
+        posted ??= PostParameters.Defaults;
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
-        var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
+        var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
         if (posted.Origin is null && !machine.Scale.Counts(job.Settings.Start)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: a program cannot start there.
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = judges.Request(posted.Origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (posted.Origin?.Way(machine) ?? TimeSpan.Zero))));
+        var request = judges.Request(posted.Origin?.StartCounts(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(ExtraTimeoutSeconds) + (TimeoutFactor * (expected + (posted.Origin?.RapidTime(machine) ?? TimeSpan.Zero))));
         var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);
         var report = Report(job, tolerances, faults.Count > 0 ? faults : judges.Findings(), judges.Verdicts(), bridges);
-        if (report.Ok && judges.Behind(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
+        if (report.Ok && judges.ResidualFinding(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
         return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
     }
 
@@ -83,29 +83,4 @@ public static class ProgramVerification
             yield return VerificationRules.CutBesideDrawing.At(default, NumberText.Rounded(found.MaxDeviation, 4), NumberText.Rounded(worst.XMm, 4), NumberText.Rounded(worst.YMm, 4), NumberText.Rounded(tolerance, 4));
         if (found.MissingLength > tolerance && found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, NumberText.Rounded(found.MissingLength, 4), NumberText.Rounded(missing.X, 4), NumberText.Rounded(missing.Y, 4));
     }
-}
-
-/// <summary>Comparison of a posted program with a drawing, millimetres.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, including the allowed deviation of the controller's path control; null if nothing
-/// is cut or it is unknown.</param>
-/// <param name="ToleranceMm">The allowed deviation: rounding and curve error, plus half of the widest bridged gap if the deviation exceeds the tolerance at a
-/// bridge.</param>
-/// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
-/// <param name="ExtraLengthMm">Length that the program cuts in addition to the drawing.</param>
-/// <param name="Ok">The program runs to its end and cuts the whole drawing and nothing else.</param>
-/// <param name="Diagnostics">Findings with the lines of the program.</param>
-public sealed record VerificationReport(
-    double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics)
-{
-    /// <summary>The slowest cutting feed in the program, mm/min; null if its format has no feed.</summary>
-    public double? SlowestMmPerMinute { get; init; }
-
-    /// <summary>The fastest cutting feed, mm/min; null if its format has no feed.</summary>
-    public double? FastestMmPerMinute { get; init; }
-
-    /// <summary>Allowed deviation of the controller from the path, which is included in the deviation; null if the program sets no bound.</summary>
-    public double? BlendMm { get; init; } = 0.0;
-
-    /// <summary>The lowest height of a cut relative to the drawing's height 0; null without heights.</summary>
-    public double? LowestZMm { get; init; }
 }

@@ -28,7 +28,7 @@ public sealed class ReadBackFile(Func<TextReader> open)
     }
 
     /// <summary>The whole text of a short program; without a text the reason.</summary>
-    public (string? Text, Diagnostic? Fault) Whole()
+    public (string? Text, Diagnostic? Fault) ReadAll()
     {
         try
         {
@@ -43,5 +43,5 @@ public sealed class ReadBackFile(Func<TextReader> open)
 
     private static bool IsUnreadable(Exception exception) => exception is IOException or UnauthorizedAccessException or InvalidDataException;
 
-    private static Diagnostic Fault(Exception unreadable) => DocumentRules.Unreadable.At(default, SystemReason.Of(unreadable));
+    private static Diagnostic Fault(Exception unreadable) => DocumentRules.Unreadable.At(default, SystemErrorText.FromException(unreadable));
 }

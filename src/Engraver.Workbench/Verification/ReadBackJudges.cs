@@ -13,23 +13,23 @@ namespace Engraver.Workbench.Verification;
 internal sealed class ReadBackJudges
 {
     private readonly PreparedJob _job;
-    private readonly PostedWith _posted;
+    private readonly PostParameters _posted;
     private readonly ITraceJudge[] _cuts;
     private readonly LengthJudge? _length;
-    private readonly PaceJudge? _pace;
+    private readonly ScheduleJudge? _pace;
     private readonly double _deviation;
 
     /// <param name="tolerances">Tolerances of the reader's format.</param>
     /// <param name="bridges">Lines across gaps within the join tolerance, which may be cut too.</param>
-    public ReadBackJudges(PreparedJob job, PostedWith posted, IProgramReader reader, TraceTolerances tolerances, IReadOnlyList<StrokeMove> bridges)
+    public ReadBackJudges(PreparedJob job, PostParameters posted, IProgramReader reader, TraceTolerances tolerances, IReadOnlyList<StrokeMove> bridges)
     {
-        var (machine, isInSpace) = (job.Settings.Machine, reader.TellsHeights && job.Settings.Machine.Height is not null);
+        var (machine, isInSpace) = (job.Settings.Machine, reader.ReportsHeights && job.Settings.Machine.Height is not null);
         (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
-        _length = reader.TellsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
-        _pace = reader.TellsTimes && machine.Height is null ? new PaceJudge() : null;
-        Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
-        Terms = new TermsJudge(posted.Terms);
+        _length = reader.ReportsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
+        _pace = reader.ReportsTimes && machine.Height is null ? new ScheduleJudge() : null;
+        Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.ReportsHeights ? machine.Height?.PlungeMmPerMinute : null);
+        Terms = new RequirementsJudge(posted.Terms);
         ITraceJudge JudgeOf(IReadOnlyList<StrokeMove> besides) => isInSpace ? RunJudge.JudgeOf(job, besides) : RunJudge.PlanJudgeOf(job, besides, tolerances);
     }
 
@@ -37,7 +37,7 @@ internal sealed class ReadBackJudges
 
     public BlendJudge Blends { get; } = new();
 
-    public TermsJudge Terms { get; }
+    public RequirementsJudge Terms { get; }
 
     /// <summary>Verdict for the drawing, and for the drawing with bridges if there are any.</summary>
     public TraceVerdict[] Verdicts() => [.. _cuts.Select(judge => judge.Verdict())];
@@ -50,8 +50,8 @@ internal sealed class ReadBackJudges
             Entry = _posted.Start ?? (_job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null),
             Feeds = Feeds,
             Blends = Blends,
-            Terms = Terms,
-            Pace = _pace,
+            Requirements = Terms,
+            Schedule = _pace,
             LongestJump = BridgedGaps.Widest(_job.Toolpath) + _deviation,
             IsLevel = IsLevel(),
         };
@@ -60,7 +60,7 @@ internal sealed class ReadBackJudges
     public IReadOnlyList<Diagnostic> Findings() => [.. new[] { Feeds.Finding, Terms.Finding }.OfType<Diagnostic>()];
 
     /// <summary>Finding for a program that cuts exactly the drawing, but parts of it twice or at other speeds.</summary>
-    public Diagnostic? Behind(CountsPoint start, CancellationToken cancellation) => _length?.Finding ?? PaceFinding(start, cancellation);
+    public Diagnostic? ResidualFinding(CountsPoint start, CancellationToken cancellation) => _length?.Finding ?? PaceFinding(start, cancellation);
 
     /// <summary>Compares the times of the program with those of the job limited to the link, or of either motion style, because the program does not contain
     /// its style.</summary>
@@ -68,7 +68,7 @@ internal sealed class ReadBackJudges
     {
         if (_pace is null) return null;
         var continuous = JobPreparation.PrepareUnlessCancelled(_job.Drawing, _job.Settings, MotionStyle.Continuous, cancellation).Motion.Program;
-        IReadOnlyList<IReadOnlyList<PaceMove>> ways = [.. new[] { _posted.Fitted, continuous, _job.Motion.Program }.OfType<MotionProgram>().Select(program => JobPlan.Pace(program, start, _pace.Parts))];
+        IReadOnlyList<IReadOnlyList<ScheduledMove>> ways = [.. new[] { _posted.FittedProgram, continuous, _job.Motion.Program }.OfType<MotionProgram>().Select(program => JobPlan.Pace(program, start, _pace.Parts))];
         return ways.Count == 0 ? null : _pace.Finding(ways);
     }
 

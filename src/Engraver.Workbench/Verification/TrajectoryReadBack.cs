@@ -54,7 +54,7 @@ public static class TrajectoryReadBack
         }
         catch (Exception other) when (other is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
         {
-            throw new InvalidDataException(SystemReason.Of(other), other);
+            throw new InvalidDataException(SystemErrorText.FromException(other), other);
         }
     }
 

@@ -3,7 +3,7 @@ namespace Engraver.Workbench.Views;
 /// <summary>The object snaps by name, with the numbers of AutoCAD's OSMODE.</summary>
 public static class SnapNames
 {
-    private const int Shortest = 3;
+    private const int MinLength = 3;
 
     private static readonly IReadOnlyList<(string Word, int Bit)> s_all =
         [("ENDPOINT", 1), ("MIDPOINT", 2), ("CENTER", 4), ("NODE", 8), ("QUADRANT", 16), ("INTERSECTION", 32), ("PERPENDICULAR", 128), ("TANGENT", 256), ("NEAREST", 512)];
@@ -13,7 +13,7 @@ public static class SnapNames
     {
         ArgumentNullException.ThrowIfNull(typed);
         var word = typed.TrimStart('_');
-        if (word.Length < Shortest) return null;
+        if (word.Length < MinLength) return null;
         if ("NONE".StartsWith(word, StringComparison.OrdinalIgnoreCase)) return 0;
         foreach (var (name, bit) in s_all)
         {
@@ -24,5 +24,5 @@ public static class SnapNames
     }
 
     /// <summary>The abbreviations of the active snaps.</summary>
-    public static string Text(int bits) => (bits & s_all.Sum(snap => snap.Bit)) == 0 ? "NONE" : string.Join(',', s_all.Where(snap => (bits & snap.Bit) != 0).Select(snap => snap.Word[..Shortest]));
+    public static string Text(int bits) => (bits & s_all.Sum(snap => snap.Bit)) == 0 ? "NONE" : string.Join(',', s_all.Where(snap => (bits & snap.Bit) != 0).Select(snap => snap.Word[..MinLength]));
 }

@@ -8,10 +8,10 @@ namespace Engraver.Workbench.Views;
 public sealed class ViewSession
 {
     /// <summary>AutoCAD keeps the last 10 views.</summary>
-    private const int MostPrevious = 10;
+    private const int MaxPrevious = 10;
 
-    private const double SmallestHeight = 1e-9;
-    private const double LargestHeight = 1e12;
+    private const double MinHeight = 1e-9;
+    private const double MaxHeight = 1e12;
 
     /// <summary>Margin around fitted content, as a fraction of its size.</summary>
     private const double Margin = 0.05;
@@ -57,7 +57,7 @@ public sealed class ViewSession
         if (!(factor > 0.0) || !double.IsFinite(factor) || !place.IsFinite) return;
         Change(state =>
         {
-            var height = Math.Clamp(state.Height / factor, SmallestHeight, LargestHeight);
+            var height = Math.Clamp(state.Height / factor, MinHeight, MaxHeight);
             return state with { Height = height, Centre = place + ((state.Centre - place) * (height / state.Height)) };
         });
     }
@@ -75,7 +75,7 @@ public sealed class ViewSession
     public void SetCentre(Point2D centre, double height)
     {
         Remember();
-        Change(state => state with { Centre = centre, Height = Math.Clamp(height, SmallestHeight, LargestHeight) });
+        Change(state => state with { Centre = centre, Height = Math.Clamp(height, MinHeight, MaxHeight) });
     }
 
     /// <summary>Fits all visible objects of a drawing; stored for Previous.</summary>
@@ -118,11 +118,11 @@ public sealed class ViewSession
     {
         ArgumentNullException.ThrowIfNull(focus);
         Remember();
-        Change(state => state with { Focus = focus, Centre = focus.Place, Height = height is { } wanted ? Math.Clamp(wanted, SmallestHeight, LargestHeight) : state.Height });
+        Change(state => state with { Focus = focus, Centre = focus.Place, Height = height is { } wanted ? Math.Clamp(wanted, MinHeight, MaxHeight) : state.Height });
     }
 
     /// <summary>Removes the mark of <see cref="FocusOn"/>.</summary>
-    public void PointNowhere() => Change(state => state with { Focus = null });
+    public void ClearFocus() => Change(state => state with { Focus = null });
 
     /// <summary>Raises <see cref="Changed"/>, to redraw everything, and removes the mark of <see cref="FocusOn"/>.</summary>
     public void Regenerate()
@@ -152,7 +152,7 @@ public sealed class ViewSession
         {
             var height = Math.Max(box.Height, box.Width / state.Aspect) * (1.0 + (2.0 * margin));
             var centre = new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0);
-            return state with { Centre = centre, Height = height > 0.0 ? Math.Clamp(height, SmallestHeight, LargestHeight) : state.Height };
+            return state with { Centre = centre, Height = height > 0.0 ? Math.Clamp(height, MinHeight, MaxHeight) : state.Height };
         });
     }
 
@@ -161,7 +161,7 @@ public sealed class ViewSession
         lock (_guard)
         {
             _previous.AddLast((Current.Centre, Current.Height));
-            if (_previous.Count > MostPrevious) _previous.RemoveFirst();
+            if (_previous.Count > MaxPrevious) _previous.RemoveFirst();
         }
     }
 }

@@ -24,7 +24,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task The_picture_comes_by_itself_and_is_sharp() => With((canvas, _, hands, _) =>
     {
-        fixture.Desktop.StepUntil(() => canvas.IsFresh, s_patience);
+        fixture.Desktop.StepUntil(() => canvas.IsUpToDate, s_patience);
         Draw();
 
         Assert.Equal(Colors.White, hands.PixelAt(160, 100));
@@ -51,15 +51,15 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     public Task A_zoom_shows_the_old_picture_larger_at_once_and_the_new_one_when_the_hand_is_still() => With((canvas, view, hands, _) =>
     {
         canvas.RefineNow();
-        var stillness = canvas.Stillness;
-        canvas.Stillness = TimeSpan.FromHours(1); // independent of the duration of the steps
+        var stillness = canvas.RestDelay;
+        canvas.RestDelay = TimeSpan.FromHours(1); // independent of the duration of the steps
         hands.Wheel(new Point(200, 100), new Vector(0, 6));
         Draw();
         Assert.Equal(Colors.White, hands.PixelAt(20, 100));
         Assert.Equal(Colors.White, hands.PixelAt(200, 101));
 
-        canvas.Stillness = stillness;
-        fixture.Desktop.StepUntil(() => canvas.IsFresh, s_patience);
+        canvas.RestDelay = stillness;
+        fixture.Desktop.StepUntil(() => canvas.IsUpToDate, s_patience);
         Draw();
 
         Assert.Equal(Colors.White, hands.PixelAt(20, 100));
@@ -75,7 +75,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.DoubleClick(new Point(200, 150), MouseButton.Middle);
 
         Assert.True(view.Current.Centre.IsNear(new Point2D(-30.0, -10.0), 1e-9));
-        Assert.Contains("extents", heard.Heard);
+        Assert.Contains("extents", heard.Calls);
     });
 
     [Fact]
@@ -86,20 +86,20 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.Drag(new Point(50, 50), new Point(350, 140));
         hands.Drag(new Point(350, 140), new Point(50, 50));
 
-        Assert.Equal(["pick 0", "unpick 1", "window", "crossing"], heard.Heard);
+        Assert.Equal(["pick 0", "unpick 1", "window", "crossing"], heard.Calls);
         Assert.True(heard.Points[0].IsNear(new Point2D(-150.0, 100.0), 1e-9) && heard.Points[1].IsNear(new Point2D(150.0, 10.0), 1e-9));
     });
 
     [Fact]
     public Task A_point_that_is_asked_for_snaps_to_the_end_of_the_line() => With((_, view, hands, heard) =>
     {
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         hands.Click(new Point(297, 104));
         view.Change(state => state with { ObjectSnap = false, Snap = true, SnapSpacing = 10.0 });
         hands.Click(new Point(298, 103));
 
         Assert.Equal([new Point2D(100.0, 50.0), new Point2D(100.0, 50.0)], heard.Points);
-        Assert.Equal(["point", "point"], heard.Heard);
+        Assert.Equal(["point", "point"], heard.Calls);
     });
 
     [Fact]
@@ -122,7 +122,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         canvas.Pointing.Escape();
         canvas.Pointing.Escape();
 
-        Assert.Equal(["cancel"], heard.Heard);
+        Assert.Equal(["cancel"], heard.Calls);
     });
 
     [Fact]
@@ -158,11 +158,11 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     public Task With_ortho_a_point_goes_straight_across_or_up_from_the_one_before() => With((_, view, hands, heard) =>
     {
         view.Change(state => state with { Ortho = true });
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(-120.0, -20.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(-120.0, -20.0));
         hands.Click(new Point(330, 180));
         hands.Click(new Point(90, 20));
         hands.Click(new Point(297, 104));
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         hands.Click(new Point(330, 180));
 
         Assert.Equal([new Point2D(130.0, -20.0), new Point2D(-120.0, 130.0), new Point2D(100.0, 50.0), new Point2D(130.0, -30.0)], heard.Points);
@@ -173,7 +173,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         view.Change(state => state with { Ortho = true, DynamicInput = false });
         hands.MovePointer(new Point(330, 280));
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(-120.0, -100.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(-120.0, -100.0));
         canvas.Pointing.TakeAim();
         Draw();
 
@@ -184,7 +184,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task The_opposite_corner_is_asked_for_with_a_box_and_nothing_snaps() => With((canvas, _, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
+        heard.Aim = new PointRequest(PointPurpose.Corner, new Point2D(0.0, 0.0));
         hands.MovePointer(new Point(297, 104));
         Assert.Equal((new Point2D(200.0, 150.0), new Point2D(297.0, 104.0), false), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To, canvas.Pointing.Box.Value.IsCrossing));
         hands.MovePointer(new Point(103, 104));
@@ -197,7 +197,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task Where_an_object_is_asked_for_nothing_snaps() => With((canvas, _, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Object, null);
+        heard.Aim = new PointRequest(PointPurpose.Object, null);
         hands.Click(new Point(297, 102));
 
         Assert.Equal([new Point2D(97.0, 48.0)], heard.Points);
@@ -207,7 +207,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task Box_line_and_tip_go_along_when_the_view_changes_under_a_still_hand() => With((canvas, view, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
+        heard.Aim = new PointRequest(PointPurpose.Corner, new Point2D(0.0, 0.0));
         hands.MovePointer(new Point(297, 104));
         view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
         Assert.Equal((new Point2D(150.0, 150.0), new Point2D(297.0, 104.0)), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To));
@@ -226,7 +226,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         Assert.Equal(new Point2D(250.0, 130.0), canvas.Pointing.Box!.Value.From);
         view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
         Assert.Equal((new Point2D(200.0, 130.0), new Point2D(297.0, 104.0)), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To));
-        heard.Aim = new PointAim(PointUse.Place, null);
+        heard.Aim = new PointRequest(PointPurpose.Place, null);
         hands.MovePointer(new Point(298, 104));
         Assert.Null(canvas.Pointing.Box);
     });
@@ -236,15 +236,15 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         hands.MovePointer(new Point(230, 110));
         Assert.Equal("", canvas.Pointing.Tip);
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         canvas.Pointing.TakeAim();
         Assert.Equal("Specify a place:\n30.0000, 40.0000", canvas.Pointing.Tip);
         Draw();
         Assert.NotEqual(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(230 + 18, 110 + 30));
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(0.0, 40.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(0.0, 40.0));
         hands.MovePointer(new Point(200, 130));
         Assert.Equal("Specify a place:\n20.0000 < 270.00\u00B0", canvas.Pointing.Tip);
-        heard.Aim = new PointAim(PointUse.Corner, new Point2D(10.0, 40.0));
+        heard.Aim = new PointRequest(PointPurpose.Corner, new Point2D(10.0, 40.0));
         hands.MovePointer(new Point(200, 131));
         Assert.Equal("Specify a place:\n10.0000 x 21.0000", canvas.Pointing.Tip);
         view.Change(state => state with { DynamicInput = false });
@@ -256,14 +256,14 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task What_a_click_would_give_is_seen_while_the_cursor_moves() => With((canvas, _, hands, heard) =>
     {
-        heard.Aim = PointAim.Place with { Ghost = place => [Segment.FromLine(new Point2D(-100.0, place.Y), new Point2D(100.0, place.Y))] };
+        heard.Aim = PointRequest.Place with { Ghost = place => [Segment.FromLine(new Point2D(-100.0, place.Y), new Point2D(100.0, place.Y))] };
         hands.MovePointer(new Point(230, 130));
         fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 20.0 }], s_patience);
         hands.MovePointer(new Point(230, 120));
         fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 30.0 }], s_patience);
         Draw();
         Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         hands.MovePointer(new Point(231, 120));
 
         Assert.Empty(canvas.Pointing.Ghost);
@@ -290,5 +290,5 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
 
     private void Draw() => fixture.Desktop.Step();
 
-    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => CanvasAlone.WithAsync(fixture, s_drawing, test);
+    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, RecordedCommands> test) => CanvasHost.WithAsync(fixture, s_drawing, test);
 }

@@ -21,7 +21,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     [InlineData(DesktopTheme.Dark)]
     [InlineData(DesktopTheme.Light)]
     [InlineData(DesktopTheme.HighContrast)]
-    public Task The_machine_is_solid_and_the_playback_hollow_in_another_colour(DesktopTheme theme) => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, view, hands, _) =>
+    public Task The_machine_is_solid_and_the_playback_hollow_in_another_colour(DesktopTheme theme) => CanvasHost.WithAsync(fixture, s_drawing, (canvas, view, hands, _) =>
     {
         view.Change(state => state with { Theme = theme });
         var colours = CanvasTheme.Of(theme);
@@ -44,7 +44,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     });
 
     [Fact]
-    public Task The_trail_is_brighter_towards_the_machine() => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
+    public Task The_trail_is_brighter_towards_the_machine() => CanvasHost.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
     {
         canvas.RefineNow();
         canvas.Machine = new MachineMark(new Point2D(50, 30), [.. Enumerable.Range(0, 101).Select(step => new Point2D(-50 + step, 30))], default, DrawingScale.Millimetres, "");
@@ -55,7 +55,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     });
 
     [Fact]
-    public Task A_place_that_is_not_certain_is_grey_and_a_note_says_why() => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
+    public Task A_place_that_is_not_certain_is_grey_and_a_note_says_why() => CanvasHost.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
     {
         canvas.RefineNow();
         canvas.Machine = Mark("why");
@@ -69,7 +69,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     });
 
     [Fact]
-    public Task Outside_the_canvas_an_arrow_at_its_edge_points_to_the_machine() => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
+    public Task Outside_the_canvas_an_arrow_at_its_edge_points_to_the_machine() => CanvasHost.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
     {
         canvas.RefineNow();
         canvas.Machine = new MachineMark(new Point2D(1000, 0), [], default, DrawingScale.Millimetres, "");

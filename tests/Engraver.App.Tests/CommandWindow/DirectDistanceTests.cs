@@ -52,6 +52,6 @@ public sealed class DirectDistanceTests(DesktopFixture fixture)
         var scale = canvas.Bounds.Height / view.Height;
         var at = new Point((canvas.Bounds.Width / 2.0) + ((x - view.Centre.X) * scale), (canvas.Bounds.Height / 2.0) - ((y - view.Centre.Y) * scale));
         here.Hands.MovePointer(canvas.TranslatePoint(at, here.Window)!.Value);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 }

@@ -27,7 +27,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         foreach (var way in new[] { "as it is", "F2", "back" })
         {
             if (way != "as it is") here.Hands.Press(Key.F2);
-            here.Rest();
+            here.WaitUntilIdle();
             var last = list.ContainerFromIndex(list.ItemCount - 1);
             var bottom = last?.TranslatePoint(new Point(0, last.Bounds.Height), list)?.Y ?? double.PositiveInfinity;
             Assert.True(bottom <= list.Bounds.Height + 0.5, FormattableString.Invariant($"{way}: {bottom} of {list.Bounds.Height}"));
@@ -43,7 +43,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         fixture.Desktop.ClipboardText = (inTheLine ? "en" : "open") + " paper-001.dxf\r\nzoom e\r\nlist 4 d";
         here.Hands.Press(Key.V, RawInputModifiers.Control);
         here.Until(() => here.Window.Model.Command.Line == "list 4 d");
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
         Assert.Contains(here.History, line => line.EndsWith(" zoom", StringComparison.Ordinal));
@@ -78,7 +78,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     {
         here.Enter("FILEDIA", "0");
         here.Hands.Type("open ");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("OPEN", here.Desk.Prompt.Command);
 
         here.Hands.Type("no such drawing.dxf");
@@ -101,7 +101,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         here.Enter("CNCSTATUS", "CNCSTOP");
         here.Hands.Type("x");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Press(Key.Up);
         here.Hands.Press(Key.Up);
         Assert.Equal("CNCSTATUS", here.Window.Model.Command.Line);
@@ -127,7 +127,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         here.Hands.Type("cncsta");
         here.Hands.Press(Key.Down);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Contains("OFFLINE", here.History);
     });
@@ -139,7 +139,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         here.Enter("CNCORDER");
         var drawn = here.Find<PromptOptions>("OptionList").GetVisualDescendants().OfType<Button>().Single(button => button.DataContext is Keyword { Name: "Drawn" });
         here.Click(drawn);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal("Drawn", here.Commands.Document.Current.Settings.Order.ToString());
         Assert.Null(here.Desk.Prompt.Command);
@@ -150,7 +150,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     {
         here.Enter("OPEN");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Null(here.Desk.Prompt.Command);
         Assert.Contains("*Cancel*", here.History);
@@ -175,7 +175,7 @@ public sealed class TypingTests(DesktopFixture fixture)
         here.Hands.Press(Key.Tab);
         Assert.Equal("'CNCSTATUS", here.Window.Model.Command.Line);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Contains("OFFLINE", here.History);
         Assert.Equal("MOVE", here.Desk.Prompt.Command);
@@ -199,7 +199,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     public Task A_script_is_run_from_the_command_line() => fixture.WithOperator(here =>
     {
         here.Enter("SCRIPT", "first-job.scr");
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.NotNull(here.Commands.Document.Current.Drawing);
     });

@@ -14,7 +14,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
     {
         here.Show("Commissioning");
         Assert.Equal(8, Model(here).Steps.Count);
-        Assert.All(Model(here).Steps, step => Assert.Equal(("", false), (step.State, step.IsNow)));
+        Assert.All(Model(here).Steps, step => Assert.Equal(("", false), (step.State, step.IsCurrent)));
         Assert.False(here.Find<Button>("BeginKey").IsEffectivelyEnabled);
         Assert.False(here.Find<Button>("BreakOffKey").IsEffectivelyEnabled);
         here.Enter("CNCCONNECT", "sim:");
@@ -27,7 +27,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Commissioning");
         here.Click(here.Find<Button>("BeginKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.False(here.Find<Button>("BeginKey").IsEffectivelyEnabled);
         Assert.Equal(["in progress", "", "", "", "", "", "", ""], States(here));
         foreach (var way in new[] { "Skip", "Skip", "Back", "Skip", "Skip", "Skip", "Go" }) Answer(here, way);
@@ -36,7 +36,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         Assert.Contains("Enter speed of the test moves", Model(here).Question, StringComparison.Ordinal);
         Assert.True(Model(here).IsTyped);
         here.Click(here.Find<Button>("KeepKey")); // the speed
-        here.Rest();
+        here.WaitUntilIdle();
         here.Enter("1000"); // counts
         Assert.Contains("Is the path clear", Model(here).Question, StringComparison.Ordinal);
         Assert.Equal(0.0, here.Commands.Machine.Status.MachinePosition!.Value.X);
@@ -44,7 +44,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         here.Until(() => here.Commands.Machine.Status.MachinePosition!.Value.X == 1.0);
         here.Click(here.Find<Button>("BreakOffKey"));
         here.Until(() => here.Desk.Queue.Cancelled.IsCompleted);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(["skipped", "skipped", "skipped", "skipped", "", "", "", ""], States(here));
         Assert.Null(here.Desk.Prompt.Command);
@@ -61,7 +61,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         Assert.Empty(Model(here).Answers);
         Assert.Equal("", Model(here).Question);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     private static CommissioningModel Model(Operator here) => (CommissioningModel)here.Window.GetVisualDescendants().OfType<CommissioningView>().First().DataContext!;
@@ -71,6 +71,6 @@ public sealed class CommissioningTests(DesktopFixture fixture)
     private static void Answer(Operator here, string name)
     {
         here.Click(here.Find<ItemsControl>("AnswerList").GetVisualDescendants().OfType<Button>().First(button => button.Content as string == name));
-        here.Rest();
+        here.WaitUntilIdle();
     }
 }

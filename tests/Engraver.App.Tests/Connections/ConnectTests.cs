@@ -18,7 +18,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
         Open(here);
         Assert.True(here.Find<RadioButton>("SimulatedChoice").IsChecked);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(here.Window.Model.Connect.IsOpen);
         Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State);
@@ -30,7 +30,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
     {
         Open(here);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(here.Window.Model.Connect.IsOpen);
         Assert.Equal(MachineState.Offline, here.Commands.Machine.Status.State);
@@ -50,7 +50,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
         here.Hands.Type("127.0.0.1");
         here.Window.Model.Connect.Port = FormattableString.Invariant($"{listening.Result.Port}");
         here.Click(here.Find<Button>("ConnectButton"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State);
         Assert.Equal("", here.Window.Model.Command.Line);

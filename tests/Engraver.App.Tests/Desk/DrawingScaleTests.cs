@@ -44,7 +44,7 @@ public sealed class DrawingScaleTests(DesktopFixture fixture)
         var axes = job.Settings.Machine.Axes;
         var table = job.Settings.Machine with { Axes = axes with { X = axes.X with { Travel = new AxisTravel(0.0, 254.0) }, Y = axes.Y with { Travel = new AxisTravel(0.0, 508.0) } } };
 
-        var inputs = new MachineOverlay(job with { Settings = job.Settings with { Machine = table } }, Point2D.Origin, null, default).Over(OverlayInputs.None);
+        var inputs = new MachineOverlay(job with { Settings = job.Settings with { Machine = table } }, Point2D.Origin, null, default).ApplyTo(OverlayInputs.None);
         Assert.Equal(new Bounds2D(0.0, 0.0, 10.0, 20.0), inputs.MachineEnvelope);
     });
 

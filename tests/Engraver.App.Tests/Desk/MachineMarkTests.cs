@@ -78,13 +78,13 @@ public sealed class MachineMarkTests(DesktopFixture fixture)
     public Task A_job_moves_the_mark_and_after_a_stop_it_stays_there_beside_the_playback() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine.Status is { State: MachineState.Running, ToolCommanded: true } && here.Window.Model.Machine.Feed is not "–" and not "0");
         Assert.Null(here.Window.Canvas.PlaybackPosition);
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
 
         var (place, mark) = (here.Commands.Machine.Status.WorkPosition!.Value, Mark(here).Place);
         Assert.True(place.DistanceTo(default) > 0.1);

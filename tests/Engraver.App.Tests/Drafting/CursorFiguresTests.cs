@@ -33,14 +33,14 @@ public sealed class CursorFiguresTests(DesktopFixture fixture)
         var (near, canvas) = (At(here, 50, 0) + new Vector(0.0, 8.0), here.Window.Canvas);
         here.Enter("ERASE");
         here.Hands.Click(near);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.StartsWith("Specify opposite corner", here.Commands.Prompt.Text, StringComparison.Ordinal); // a box starts: 8 is more than 5
         here.Commands.CancelAsync().Wait(TimeSpan.FromSeconds(60));
-        here.Rest();
+        here.WaitUntilIdle();
 
         here.Enter("PICKBOX", "10", "ERASE");
         here.Hands.Click(near);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal([0], canvas.Selection);
         here.Enter("");
         Assert.Equal(0, here.Commands.Document.Current.Drawing!.Entities.Count);
@@ -48,8 +48,8 @@ public sealed class CursorFiguresTests(DesktopFixture fixture)
 
     private Task With(Action<Operator> test) => fixture.WithOperator(here =>
     {
-        here.Commands.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 100, 0).Build() });
-        here.Rest();
+        here.Commands.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 100, 0).Build() });
+        here.WaitUntilIdle();
         here.Enter("ZOOM", "C", "50,0", "300");
         test(here);
     });

@@ -22,10 +22,10 @@ public sealed class SnappingTests(DesktopFixture fixture)
     [Fact]
     public Task A_typed_snap_finds_the_foot_and_the_tangent_from_the_point_before() => With((_, view, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(30.0, 0.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(30.0, 0.0));
         view.Change(state => state with { ObjectSnap = false, OneTimeSnap = 128 });
         hands.Click(new Point(130, 101));
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(0.0, 50.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(0.0, 50.0));
         view.Change(state => state with { OneTimeSnap = 256 });
         hands.Click(new Point(238, 188));
 
@@ -36,10 +36,10 @@ public sealed class SnappingTests(DesktopFixture fixture)
     [Fact]
     public Task Where_a_typed_snap_finds_nothing_a_click_gives_nothing() => With((canvas, view, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(30.0, 0.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(30.0, 0.0));
         view.Change(state => state with { OneTimeSnap = 128 });
         hands.Click(new Point(20, 20));
-        Assert.Empty(heard.Heard);
+        Assert.Empty(heard.Calls);
         Assert.StartsWith("Specify a place:\nPER\n", canvas.Pointing.Tip, StringComparison.Ordinal);
         view.Change(state => state with { OneTimeSnap = 0 });
         hands.Click(new Point(297, 104));
@@ -50,7 +50,7 @@ public sealed class SnappingTests(DesktopFixture fixture)
     [Fact]
     public Task Nearest_is_taken_only_where_nothing_else_is() => With((_, view, hands, heard) =>
     {
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         view.Change(state => state with { ObjectSnapModes = 1 + 512 });
         hands.Click(new Point(260, 103));
         hands.Click(new Point(295, 103));
@@ -60,13 +60,13 @@ public sealed class SnappingTests(DesktopFixture fixture)
 
     /// <summary>A point at 60,20, in green, and one on a frozen layer at 60,-20.</summary>
     [Fact]
-    public Task Points_are_shown_and_a_typed_snap_finds_them() => CanvasAlone.WithAsync(fixture, WithPoints(), (canvas, view, hands, heard) =>
+    public Task Points_are_shown_and_a_typed_snap_finds_them() => CanvasHost.WithAsync(fixture, WithPoints(), (canvas, view, hands, heard) =>
     {
         canvas.RefineNow();
         fixture.Desktop.Step();
         Assert.Equal(Avalonia.Media.Colors.Lime, hands.PixelAt(262, 132)); // an arm of the cross around 260,130
         Assert.Equal(hands.PixelAt(300, 250), hands.PixelAt(262, 172));
-        heard.Aim = PointAim.Place;
+        heard.Aim = PointRequest.Place;
         view.Change(state => state with { ObjectSnap = false, OneTimeSnap = 8 });
         hands.Click(new Point(264, 125));
         Assert.Equal([new Point2D(60.0, 20.0)], heard.Points);
@@ -81,7 +81,7 @@ public sealed class SnappingTests(DesktopFixture fixture)
     public Task Polar_tracking_draws_the_cursor_onto_its_directions_and_says_so() => With((canvas, view, hands, heard) =>
     {
         view.Change(state => state with { ObjectSnap = false, Polar = true, PolarAngle = 45.0 });
-        heard.Aim = new PointAim(PointUse.Place, new Point2D(-100.0, -100.0));
+        heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(-100.0, -100.0));
         hands.Click(new Point(152, 204));
         Assert.Equal("Specify a place:\nPolar: 69.2965 < 45.00\u00B0", canvas.Pointing.Tip);
         hands.Click(new Point(152, 225));
@@ -94,10 +94,10 @@ public sealed class SnappingTests(DesktopFixture fixture)
     [Fact]
     public Task A_click_with_Shift_says_so() => With((_, _, hands, heard) =>
     {
-        heard.Aim = new PointAim(PointUse.Object, null) { ShiftMark = "shift:" };
+        heard.Aim = new PointRequest(PointPurpose.Object, null) { ShiftPrefix = "shift:" };
         hands.Click(new Point(260, 100), modifiers: RawInputModifiers.Shift);
 
-        Assert.Equal(["point with shift"], heard.Heard);
+        Assert.Equal(["point with shift"], heard.Calls);
     });
 
     /// <summary>With mouse and keys in the whole window: a click trims, a click with Shift extends, one U undoes both; F10 switches polar
@@ -105,17 +105,17 @@ public sealed class SnappingTests(DesktopFixture fixture)
     [Fact]
     public Task Trim_with_the_mouse_and_Shift_and_F10() => fixture.WithOperator(here =>
     {
-        here.Desk.Session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 100, 0).Line(30, -40, 30, 40).Line(70, -40, 70, 40).Line(40, 20, 60, 20).Build() });
-        here.Rest();
+        here.Desk.Session.Document.Commit("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 100, 0).Line(30, -40, 30, 40).Line(70, -40, 70, 40).Line(40, 20, 60, 20).Build() });
+        here.WaitUntilIdle();
         here.Enter("ZOOM", "E", "TRIM");
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Click(At(here, 50, 0));
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Click(At(here, 59, 20), modifiers: RawInputModifiers.Shift);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         var drawing = here.Desk.Session.Document.Current.Drawing!;
         Assert.Equal(5, drawing.Entities.Count);
@@ -123,10 +123,10 @@ public sealed class SnappingTests(DesktopFixture fixture)
         here.Enter("U");
         Assert.Equal(4, here.Desk.Session.Document.Current.Drawing!.Entities.Count);
         here.Hands.Press(Key.F10);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Desk.Session.View.Current.Polar);
         here.Hands.Press(Key.F10);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.False(here.Desk.Session.View.Current.Polar);
     });
 
@@ -142,5 +142,5 @@ public sealed class SnappingTests(DesktopFixture fixture)
         return drawing with { Points = [new(new Core.Geometry.Vector3D(60.0, 20.0, 5.0), 0, Core.Drawings.DrawingColour.FromCode62(3), Hidden: false), new(new Core.Geometry.Vector3D(60.0, -20.0, 0.0), 1, default, Hidden: false)] };
     }
 
-    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => CanvasAlone.WithAsync(fixture, s_drawing, test);
+    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, RecordedCommands> test) => CanvasHost.WithAsync(fixture, s_drawing, test);
 }

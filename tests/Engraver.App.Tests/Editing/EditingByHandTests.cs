@@ -19,17 +19,17 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         here.Enter("MOVE");
         Click(here, 30, 0);
-        Assert.Equal([0], Lit(here));
+        Assert.Equal([0], Highlighted(here));
         Click(here, 170, 50);
-        Assert.Equal([0, 2], Lit(here));
+        Assert.Equal([0, 2], Highlighted(here));
         Click(here, 30, 0, RawInputModifiers.Shift);
-        Assert.Equal([2], Lit(here));
+        Assert.Equal([2], Highlighted(here));
         Assert.StartsWith("Select objects", here.Commands.Prompt.Text, StringComparison.Ordinal);
         Click(here, 30, 0);
-        Assert.Equal([2, 0], Lit(here));
+        Assert.Equal([2, 0], Highlighted(here));
         here.Hands.Press(Key.Escape);
-        here.Rest();
-        Assert.Equal([], Lit(here));
+        here.WaitUntilIdle();
+        Assert.Equal([], Highlighted(here));
     });
 
     [Fact]
@@ -37,13 +37,13 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         here.Enter("ERASE");
         Drag(here, (-20, -20), (190, 90));
-        Assert.Equal([0, 1, 2], Lit(here));
+        Assert.Equal([0, 1, 2], Highlighted(here));
         Click(here, 190, 90, RawInputModifiers.Shift);
         Click(here, 110, 20);
-        Assert.Equal([0, 1], Lit(here));
+        Assert.Equal([0, 1], Highlighted(here));
         Assert.StartsWith("Select objects", here.Commands.Prompt.Text, StringComparison.Ordinal);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(2, Drawn(here).Entities.Count);
     });
 
@@ -57,7 +57,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         Assert.True(ghost.Centre.DistanceTo(new Point2D(130, 80)) < 1.0);
         Assert.Equal(new Point2D(150, 50), Only(here, 2).Arc.Centre);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Until(() => here.Window.Canvas.Pointing.Ghost.Count == 0);
     });
 
@@ -79,7 +79,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         Click(here, 30, 0);
         here.Hands.Drag(At(here, 100, 0), At(here, 50.4, 70.3));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal((new Point2D(0, 0), new Point2D(50, 70)), Ends(here, 0));
     });
 
@@ -87,7 +87,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     public Task A_grip_is_clicked_moved_and_clicked_with_ortho() => With(here =>
     {
         here.Hands.Press(Key.F8);
-        here.Rest();
+        here.WaitUntilIdle();
         Click(here, 30, 0);
         Click(here, 50, 0);
         Assert.Equal("GRIPEDIT", here.Commands.Prompt.Command);
@@ -108,7 +108,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         Click(here, 150, 50);
         Point(here, 160, 60);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal((new Point2D(150, 50), 30.0), (Only(here, 2).Arc.Centre, Math.Round(Only(here, 2).Arc.Radius, 9)));
         Assert.Equal([], here.Commands.Document.Current.Selection);
     });
@@ -129,9 +129,9 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         here.Enter("COPY", "H", "A3", "", "150,50");
         Click(here, 150, 100);
         Click(here, 100, 100);
-        Assert.Equal([2], Lit(here));
+        Assert.Equal([2], Highlighted(here));
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal((6, null), (Drawn(here).Entities.Count, here.Commands.Prompt.Command));
         here.Enter("U");
         Assert.Equal(4, Drawn(here).Entities.Count);
@@ -143,7 +143,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         Click(here, 170, 50);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         Point(here, 170, 50);
         Assert.Equal(2, here.Window.Canvas.Pointing.Hovered);
         here.Enter("ERASE", "H", "A3", "");
@@ -159,7 +159,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     public Task The_row_in_the_table_is_the_row_of_what_was_picked() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Until(() => here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
         here.Show("Table");
         var (table, list) = (here.Commands.Derivation.Current.Sequence!.Table, here.Find<ListBox>("RowList"));
         for (var row = 0; row < table.Count; row++)
@@ -175,14 +175,14 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     private Task With(Action<Operator> test) => fixture.WithOperator(here =>
     {
         var drawing = new DrawingBuilder().Line(0, 0, 100, 0).Arc(50, 50, 20, 0, 90).Circle(150, 50, 20).Square(0, 100, 40).Build();
-        here.Commands.Document.Take("OPEN", new DocumentState { Drawing = drawing });
-        here.Rest();
+        here.Commands.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
+        here.WaitUntilIdle();
         here.Enter("ZOOM", "W", "-40,-60", "200,160");
-        here.Until(() => here.Window.Canvas.Scene is not null && here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.Scene is not null && here.Window.Canvas.IsUpToDate);
         test(here);
     });
 
-    private static IReadOnlyList<int> Lit(Operator here) => here.Window.Canvas.Selection ?? [];
+    private static IReadOnlyList<int> Highlighted(Operator here) => here.Window.Canvas.Selection ?? [];
 
     private static Drawing Drawn(Operator here) => here.Commands.Document.Current.Drawing!;
 
@@ -206,17 +206,17 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         Point(here, x, y);
         here.Hands.Click(At(here, x, y), modifiers: modifiers);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static void Drag(Operator here, (double X, double Y) from, (double X, double Y) to)
     {
         Point(here, from.X, from.Y);
         here.Hands.PressButton(At(here, from.X, from.Y));
-        here.Rest();
+        here.WaitUntilIdle();
         Point(here, (from.X + to.X) / 2.0, (from.Y + to.Y) / 2.0);
         Point(here, to.X, to.Y);
         here.Hands.ReleaseButton(At(here, to.X, to.Y));
-        here.Rest();
+        here.WaitUntilIdle();
     }
 }

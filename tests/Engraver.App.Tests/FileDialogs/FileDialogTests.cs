@@ -42,7 +42,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
             Assert.Equal((dialog.Filter, dialog.Filters), (list.SelectedItem, list.ItemsSource));
             Assert.Contains(list.GetVisualDescendants().OfType<TextBlock>(), text => text.Text == dialog.Filter!.ToString());
             here.Hands.Press(Key.Escape);
-            here.Rest();
+            here.WaitUntilIdle();
         }
     });
 
@@ -93,11 +93,11 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         Assert.Equal((inner.FullName, "gasket.dxf"), (Dialog(here).Folder, Assert.Single(Dialog(here).Rows).Name));
 
         here.Hands.Press(Key.Back);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal((_folder.FullName, "inner"), (Dialog(here).Folder, Dialog(here).Chosen?.Name)); // the folder before
 
         here.Hands.Press(Key.Up, RawInputModifiers.Alt);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(_folder.Parent!.FullName, Dialog(here).Folder);
     });
 
@@ -107,7 +107,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         here.Enter("OPEN");
         here.Hands.Type("ga");
         here.Hands.Press(Key.Back);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(("g", RepositoryFolder.Samples), (Dialog(here).Name, Dialog(here).Folder));
     });
@@ -132,7 +132,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         here.Click(row);
         Assert.Equal("gasket.dxf", Dialog(here).Name);
         here.Click(row);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
@@ -163,7 +163,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         here.Enter("OPEN", _folder.FullName);
         Assert.Equal("plate.dxf", Assert.Single(Dialog(here).Rows).Name);
         here.Find<ComboBox>("FilterList").SelectedIndex = 1;
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(["notes.txt", "plate.dxf"], Dialog(here).Rows.Select(row => row.Name));
     });
@@ -180,7 +180,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
             Assert.Contains(RepositoryFolder.Samples, paths);
             Assert.Contains(Path.Combine(RepositoryFolder.Samples, "gasket.dxf"), paths); // a recent file
             here.Hands.Press(Key.Escape);
-            here.Rest();
+            here.WaitUntilIdle();
         }
     });
 
@@ -189,7 +189,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
     {
         here.Enter("OPEN", _folder.FullName);
         here.Click(here.Find<ItemsControl>("PlaceList").GetVisualDescendants().OfType<Button>().First(button => button.Tag is FilePlace place && place.Path == RepositoryFolder.Samples));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(RepositoryFolder.Samples, Dialog(here).Folder);
     });
@@ -204,7 +204,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         here.Enter("OPEN");
         Assert.Equal(_folder.FullName, Dialog(here).Folder);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Enter("CNCPROFILE");
         Assert.Equal(RepositoryFolder.Samples, Dialog(here).Folder);
         Assert.Equal(_folder.FullName, here.Commands.Settings.Current.FileFolders["drawing"]);
@@ -241,7 +241,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
     {
         var stopped = new TaskCompletionSource();
         here.Enter("OPEN");
-        Dialog(here).Preview.Maker = (_, _, _, _, stop) =>
+        Dialog(here).Preview.PreviewFactory = (_, _, _, _, stop) =>
         {
             stop.WaitHandle.WaitOne();
             stopped.SetResult();
@@ -252,7 +252,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
 
         Assert.Contains("too long", Dialog(here).Preview.Caption, StringComparison.Ordinal);
         here.Hands.Type(".");
-        Dialog(here).Preview.Maker = FilePreview.Create;
+        Dialog(here).Preview.PreviewFactory = FilePreview.Create;
         here.Hands.Press(Key.Down);
         here.Until(() => Dialog(here).Preview.Picture is not null);
     }, clock: new ManualTimeProvider());
@@ -262,7 +262,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
     {
         var (begun, stopped) = (new TaskCompletionSource(), new TaskCompletionSource());
         here.Enter("OPEN");
-        Dialog(here).Preview.Maker = (_, _, _, _, stop) =>
+        Dialog(here).Preview.PreviewFactory = (_, _, _, _, stop) =>
         {
             begun.SetResult();
             stop.WaitHandle.WaitOne();

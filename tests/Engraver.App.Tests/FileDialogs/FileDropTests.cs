@@ -14,7 +14,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
     public Task A_drawing_is_opened() => fixture.WithOperator(here =>
     {
         Assert.Equal(DragDropEffects.Copy, here.Hands.DropFiles(s_canvas, [Sample("gasket.dxf")]));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
         Assert.Equal(Path.GetDirectoryName(Sample("gasket.dxf")), here.Commands.Settings.Current.FileFolders.GetValueOrDefault("drawing"));
@@ -24,7 +24,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
     public Task A_script_is_run() => fixture.WithOperator(here =>
     {
         here.Hands.DropFiles(s_canvas, [Sample("first-job.scr")]);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.NotNull(here.Commands.Document.Current.Drawing);
     });
@@ -33,7 +33,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
     public Task What_is_neither_is_refused() => fixture.WithOperator(here =>
     {
         Assert.Equal(DragDropEffects.None, here.Hands.DropFiles(s_canvas, [Sample("README.md")]));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Null(here.Commands.Document.Current.Drawing);
     });
@@ -42,7 +42,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
     public Task Of_several_drawings_the_first_is_opened_and_it_is_said() => fixture.WithOperator(here =>
     {
         here.Hands.DropFiles(s_canvas, [Sample("README.md"), Sample("paper-001.dxf"), Sample("gasket.dxf")]);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(4, here.Commands.Document.Current.Drawing?.Entities.Count);
         Assert.Contains(here.History, line => line.Contains("Only paper-001.dxf was opened", StringComparison.Ordinal));
@@ -56,15 +56,15 @@ public sealed class FileDropTests(DesktopFixture fixture)
         File.Copy(Sample("gasket.dxf"), path);
         here.Enter("OPEN", path, "ERASE", "ALL", "");
         here.Hands.DropFiles(s_canvas, [Sample("paper-001.dxf")]);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Window.Model.Files.Question.IsOpen);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(0, here.Commands.Document.Current.Drawing!.Entities.Count);
 
         here.Hands.DropFiles(s_canvas, [Sample("paper-001.dxf")]);
         here.Enter("Open");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
         Assert.Equal(File.ReadAllText(Sample("gasket.dxf")), File.ReadAllText(path));
         folder.Delete(recursive: true);
@@ -75,7 +75,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
     {
         here.Enter("CNCPROFILE");
         here.Hands.DropFiles(s_canvas, [Sample("machine-mill.json")]);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(FileDialogTests.Dialog(here).IsOpen);
         Assert.EndsWith("machine-mill.json", here.Commands.Settings.Current.LastProfile, StringComparison.Ordinal);

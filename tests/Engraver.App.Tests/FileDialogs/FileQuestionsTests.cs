@@ -55,7 +55,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
 
         Assert.Equal(_folder.FullName, Dialog(here).Folder);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Theory]
@@ -63,7 +63,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
     [InlineData("plate", ".svg", "plate.svg")]
     [InlineData("plate 1.5", ".svg", "plate 1.5.svg")]
     public void Another_kind_changes_the_ending_and_no_other_part_of_the_name(string name, string ending, string expected) =>
-        Assert.Equal(expected, FileFilter.WithEnding(name, ending, [new FileFilter("", [".dxf"]), new FileFilter("", [".svg"])]));
+        Assert.Equal(expected, FileFilter.WithExtension(name, ending, [new FileFilter("", [".dxf"]), new FileFilter("", [".svg"])]));
 
     [Fact]
     public Task The_filter_decides_what_is_exported() => fixture.WithOperator(here =>
@@ -71,7 +71,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Open("gasket.dxf");
         here.Enter("EXPORT");
         here.Find<ComboBox>("FilterList").SelectedIndex = 1;
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("gasket.csv", Dialog(here).Name);
         here.Enter(Path.Combine(_folder.FullName, "rows"));
 
@@ -119,7 +119,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         Assert.Equal(["Yes"], Marked());
         Assert.Equal("old", File.ReadAllText(path));
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.NotEqual("old", File.ReadAllText(path));
 
         IEnumerable<object?> Marked() => answers.Where(answer => answer.Classes.Contains("accent")).Select(answer => answer.Content);
@@ -131,7 +131,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Open("paper-001.dxf");
         here.Enter("TABLE", "Drawn", "Csv");
         here.Click(here.Find<Button>("ShowButton"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(Dialog(here).IsOpen);
         Assert.Null(here.Desk.Prompt.Command);
@@ -144,7 +144,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Open("gasket.dxf");
         here.Enter("SAVEAS");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(Dialog(here).IsOpen);
         Assert.Null(here.Desk.Prompt.Command);
@@ -169,7 +169,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         fixture.Desktop.ClipboardText = "open paper-001.dxf\nzoom e\n";
         here.Hands.Press(Key.V, Avalonia.Input.RawInputModifiers.Control);
         here.Until(() => here.Commands.Document.Current.Drawing is not null);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(0, opened);
     });
@@ -178,7 +178,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
     public Task A_menu_entry_shows_it_too() => fixture.WithOperator(here =>
     {
         here.Hands.Press(Key.O, RawInputModifiers.Control);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(Dialog(here).IsOpen);
     });
@@ -196,7 +196,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
 
         Assert.Equal("zoo", here.Window.Model.Command.Line);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     /// <summary>The command has not prompted yet: a space within a path is nevertheless a character of it.</summary>
@@ -204,7 +204,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
     public Task A_path_that_is_typed_at_once_keeps_its_spaces() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Type("saveas ");
         var path = Path.Combine(_folder.FullName, "my second plate");
         here.Hands.Type(path);
@@ -218,7 +218,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
     public Task What_was_typed_ahead_goes_into_the_name() => fixture.WithOperator(here =>
     {
         here.Hands.Type("open gask");
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Type("et");
         Assert.Equal("gasket", Dialog(here).Name);
         here.Enter("");
@@ -239,7 +239,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Enter("OPEN", Path.Combine(RepositoryFolder.Samples, "paper-001.dxf"));
         Assert.True(here.Window.Model.Files.Question.IsOpen);
         here.Enter(answer);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(opens ? 4 : 0, here.Commands.Document.Current.Drawing!.Entities.Count);
         Assert.Equal(saves, File.ReadAllText(path) != before);

@@ -28,11 +28,11 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Until(() => X(here) > 1.0);
         Assert.Equal("MOVING", here.Find<TextBlock>("StateText").Text);
         here.Hands.ReleaseButton(Cell(here, "X+"));
-        Stands(here);
+        AssertStopped(here);
 
         Assert.InRange(X(here), 1.0, 100.0);
         Assert.Equal(0.0, Y(here));
-        NobodyWasLate(here);
+        AssertReleasedInTime(here);
     });
 
     [Theory]
@@ -49,11 +49,11 @@ public sealed class JogPadTests(DesktopFixture fixture)
         if (what == "leaves the window") here.Hands.LoseFocus();
         if (what == "shows another palette") here.Find<TextBox>("LineBox").Focus();
         if (what == "presses stop") here.Hands.Press(Key.Pause);
-        if (what == "closes") here.Hands.AskToClose();
-        Stands(here);
+        if (what == "closes") here.Hands.RequestClose();
+        AssertStopped(here);
 
         Assert.InRange(Y(here), 1.0, 100.0);
-        NobodyWasLate(here);
+        AssertReleasedInTime(here);
     });
 
     /// <summary>Started by a command, not by the pad: the window sends the heartbeat, and the loss of the window ends the jog.</summary>
@@ -74,7 +74,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
 
                 if (what == "leaves the window") here.Hands.LoseFocus();
                 if (what == "makes it small") here.Window.WindowState = WindowState.Minimized;
-                if (what == "asks to close") here.Hands.AskToClose();
+                if (what == "asks to close") here.Hands.RequestClose();
                 if (what == "hangs") clock.Advance(TimeSpan.FromSeconds(0.4)); // on the window's own thread, which is blocked meanwhile
                 here.Until(() => !here.Commands.Machine.IsRunning);
 
@@ -111,7 +111,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Until(() => X(here) < -1.0);
         here.Hands.KeyDown(Key.Left); // keyboard repeat
         here.Hands.KeyUp(Key.Left);
-        Stands(here);
+        AssertStopped(here);
         Assert.InRange(X(here), -100.0, -1.0);
         Assert.Equal("", here.Find<TextBox>("LineBox").Text ?? "");
     });
@@ -149,11 +149,11 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Hands.ReleaseButton(Cell(here, "Y+"));
         here.Until(() => Model(here).Jogged.IsCompleted);
         here.Click(here.Find<Button>("StartKey"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
-        NobodyWasLate(here);
+        AssertReleasedInTime(here);
     });
 
     /// <summary>Each press is a step, also a press before the previous step has ended; the job continues at its position.</summary>
@@ -181,7 +181,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Until(() => Math.Abs(X(here) - x + 0.1) < 0.001);
         here.Until(() => here.Window.Canvas.Machine!.Place.DistanceTo(here.Commands.Machine.Status.WorkPosition!.Value) < 0.001);
         here.Click(here.Find<Button>("StartKey"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.InRange(here.Commands.Machine.Runs.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.01);
@@ -203,8 +203,8 @@ public sealed class JogPadTests(DesktopFixture fixture)
                 here.Hands.KeyDown(Key.Left, byShift ? RawInputModifiers.Shift : RawInputModifiers.None);
                 here.Until(() => -X(here) > (clock.GetElapsedTime(pressed).TotalSeconds * Speed * here.Commands.Machine.Profile.JogMmPerMinute / 60.0) + 5.0);
                 here.Hands.KeyUp(Key.Left);
-                Stands(here);
-                NobodyWasLate(here);
+                AssertStopped(here);
+                AssertReleasedInTime(here);
                 if (!byShift) here.Hands.ReleaseButton(here.MiddleOf(here.Find<Button>("FastKey")));
                 here.Step();
                 Assert.False(Model(here).IsFast);
@@ -240,7 +240,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "3,4", "CNCJOG", "Z+", "11.5", "CNCZERO", "X");
         Assert.Equal("X, Y and Z", here.Find<Button>("ZeroAllKey").Content);
         here.Click(here.Find<Button>("ZeroZKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(new OriginRow("G54", "3, –, 11.5", true), Model(here).Origins[0]);
         here.Enter("CNCZERO", "Y", "CNCJOG", "Z-", "2.25");
         here.Until(() => here.Commands.Machine.Status.WorkHeight == -2.25);
@@ -255,12 +255,12 @@ public sealed class JogPadTests(DesktopFixture fixture)
     {
         Choose(here, "0.1");
         here.Hands.Click(Cell(here, "X−"));
-        Stands(here);
+        AssertStopped(here);
         Assert.Equal(-0.1, X(here), 6);
         Assert.Contains(here.History, line => line.Contains("CNCJOG", StringComparison.Ordinal));
         Choose(here, "10");
         here.Hands.Click(Cell(here, "Y+"));
-        Stands(here);
+        AssertStopped(here);
         Assert.Equal((-0.1, 10.0), (Math.Round(X(here), 6), Y(here)));
     });
 
@@ -270,17 +270,17 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("CNCZERO", "All", "CNCGOTO", "Work");
         here.Hands.Click(here.MiddleOf(here.Window.Canvas) + new Vector(40, -20));
-        Stands(here);
+        AssertStopped(here);
 
         var clicked = here.History.Last(line => line.StartsWith("Specify point of the drawing", StringComparison.Ordinal)).Split(": ")[^1].Split(',').Select(text => double.Parse(text, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
         Assert.Equal(clicked[0], X(here), 0.001);
         Assert.Equal(clicked[1], Y(here), 0.001);
         Assert.NotEqual(0.0, X(here));
         here.Click(here.Find<Button>("GoOriginKey"));
-        Stands(here);
+        AssertStopped(here);
         Assert.Equal((0.0, 0.0), (X(here), Y(here)));
         here.Click(here.Find<Button>("GoClearanceKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Contains(here.History, line => line.Contains("no clearance height", StringComparison.Ordinal));
     });
 
@@ -292,7 +292,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Hands.Click(Cell(here, "X+"));
         here.Step();
         Assert.Contains("No controller is connected. Connect one with CNCCONNECT.", here.History);
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCMOTORS", "OFF");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCMOTORS", "OFF");
         here.Hands.Click(Cell(here, "X+"));
         here.Step();
         Assert.Contains(here.History, line => line.Contains("CNCMOTORS ON", StringComparison.Ordinal));
@@ -304,27 +304,27 @@ public sealed class JogPadTests(DesktopFixture fixture)
     {
         here.Enter("CNCGOTO", "3,4");
         here.Click(here.Find<Button>("ZeroAllKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         var model = Model(here);
         Assert.Equal(new OriginRow("G54", "3, 4", true), model.Origins[0]);
-        model.Choose(model.Origins[1]);
-        here.Rest();
+        model.ChooseOrigin(model.Origins[1]);
+        here.WaitUntilIdle();
         Assert.Equal(new OriginRow("G55", "not set", true), model.Origins[1]);
 
-        model.Switch(model.Outputs[1]);
-        here.Rest();
+        model.SwitchOutput(model.Outputs[1]);
+        here.WaitUntilIdle();
         Assert.Equal(false, model.Outputs[1].IsOn);
         Assert.DoesNotContain(here.History, line => line.Contains("CNCOUTPUT", StringComparison.Ordinal));
         here.Find<CheckBox>("GuardBox").BringIntoView();
         here.Step();
         here.Click(here.Find<CheckBox>("GuardBox"));
         Assert.True(model.IsGuardOpen);
-        model.Switch(model.Outputs[1]);
-        here.Rest();
+        model.SwitchOutput(model.Outputs[1]);
+        here.WaitUntilIdle();
         here.Enter("Yes");
         here.Until(() => model.Outputs[1].IsOn == true);
-        model.Switch(model.Outputs[1]);
-        here.Rest();
+        model.SwitchOutput(model.Outputs[1]);
+        here.WaitUntilIdle();
         here.Until(() => model.Outputs[1].IsOn == false);
     });
 
@@ -349,11 +349,11 @@ public sealed class JogPadTests(DesktopFixture fixture)
     private static double Y(Operator here) => here.Commands.Machine.Status.MachinePosition!.Value.Y;
 
     /// <summary>Asserts that the release ended the jog, not the heartbeat timeout of 0.3 s, which would be reported.</summary>
-    private static void NobodyWasLate(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.WindowTooSlow"), here.History);
+    private static void AssertReleasedInTime(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.WindowTooSlow"), here.History);
 
-    private static void Stands(Operator here)
+    private static void AssertStopped(Operator here)
     {
-        here.Rest();
+        here.WaitUntilIdle();
         here.Until(() => Model(here).Jogged.IsCompleted && !here.Commands.Machine.IsRunning);
     }
 }

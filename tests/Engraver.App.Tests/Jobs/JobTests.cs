@@ -28,11 +28,11 @@ public sealed class JobTests(DesktopFixture fixture)
     {
         var job = new JobModel(here.Desk);
         here.Open("paper-001.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.DoesNotContain(job.Figures, figure => figure.Name == Text.Get("Job.Cost"));
 
         here.Enter("CNCPROFILE", "machine-eroder.json");
-        here.Rest();
+        here.WaitUntilIdle();
         var cost = Assert.Single(job.Figures, figure => figure.Name == Text.Get("Job.Cost")).Value;
         Assert.EndsWith(", length 5.48, starts 3.50)", cost, StringComparison.Ordinal);
     });
@@ -42,14 +42,14 @@ public sealed class JobTests(DesktopFixture fixture)
     public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Stream");
         here.Show("Job");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: > 1.0 });
         here.Step();
         Assert.DoesNotContain(Lines(here), line => line.Mark == "▲"); // a running job is away from its start as expected
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         var warning = Assert.Single(Lines(here), line => line.Mark == "▲");
@@ -70,7 +70,7 @@ public sealed class JobTests(DesktopFixture fixture)
         var serving = controller.ServeSerialAsync(Path.Combine(folder.FullName, "tty"), 115200, CancellationToken.None);
         here.Until(() => serving.IsCompleted);
         here.Enter("CNCCONNECT", FormattableString.Invariant($"serial://{Path.Combine(folder.FullName, "tty")}?baud=115200"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(here.Desk.Derived.PlannedSeconds > network + 1.0);
         Assert.Equal(ClockText.Format(here.Desk.Derived.PlannedSeconds), PlannedTime());

@@ -29,7 +29,7 @@ public sealed class GermanWindowTests(DesktopFixture fixture)
         LookAtPages("empty");
         here.Show("Command"); // text typed in the terminal stays there
         here.Open("nameplate.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
         LookAtPages("with a drawing");
         Assert.True(cut.Count == 0, string.Join('\n', cut));
 

@@ -12,7 +12,7 @@ public sealed class LayersTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Click(SwitchesOf(here, "VENTS")[0]);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.False(Layer(here, "VENTS").On);
         Assert.Contains("Command: LAYER", here.History);
         Assert.False(SwitchesOf(here, "VENTS")[0].IsChecked);
@@ -43,9 +43,9 @@ public sealed class LayersTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Click(SwitchesOf(here, "MARKS")[1]);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Click(SwitchesOf(here, "INSIDE")[2]);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(Layer(here, "MARKS").Frozen);
         Assert.True(Layer(here, "MARKS").Plot);
@@ -64,8 +64,8 @@ public sealed class LayersTests(DesktopFixture fixture)
         here.Click(swatch);
         Assert.True(swatch.Flyout!.IsOpen);
         swatch.Flyout.Hide();
-        row.Choices[5].Take.Execute(null);
-        here.Rest();
+        row.Choices[5].Choose.Execute(null);
+        here.WaitUntilIdle();
 
         Assert.Equal(6, Layer(here, "VENTS").Colour.Index);
         var scene = here.Window.Canvas.Scene!;

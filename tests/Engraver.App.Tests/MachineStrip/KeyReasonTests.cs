@@ -14,25 +14,25 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
     [Fact]
     public Task ARM_and_START_say_why_they_do_not_work_as_the_machine_goes_through_its_states() => fixture.WithOperator(here =>
     {
-        Says(here, "ArmKey", "no controller", "No controller is connected");
-        Says(here, "StartKey", "no controller", "No controller is connected");
+        AssertReason(here, "ArmKey", "no controller", "No controller is connected");
+        AssertReason(here, "StartKey", "no controller", "No controller is connected");
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address);
-        here.Rest();
-        Says(here, "ArmKey", null, "Checks the job");
-        Says(here, "StartKey", "ARM first", "Press ARM first");
+        here.Enter("CNCCONNECT", SlowSimulator.Address);
+        here.WaitUntilIdle();
+        AssertReason(here, "ArmKey", null, "Checks the job");
+        AssertReason(here, "StartKey", "ARM first", "Press ARM first");
         here.Enter("CNCARM", "Stream");
-        Says(here, "ArmKey", "armed", "The job is armed");
-        Says(here, "StartKey", null, "Starts the armed job");
-        Says(here, "HoldKey", null, "HOLD works only while a job is running");
+        AssertReason(here, "ArmKey", "armed", "The job is armed");
+        AssertReason(here, "StartKey", null, "Starts the armed job");
+        AssertReason(here, "HoldKey", null, "HOLD works only while a job is running");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 });
         here.Step();
-        Says(here, "ArmKey", "job running", "A job is running");
-        Says(here, "StartKey", "job running", "A job is running");
+        AssertReason(here, "ArmKey", "job running", "A job is running");
+        AssertReason(here, "StartKey", "job running", "A job is running");
         here.Hands.Press(Avalonia.Input.Key.Pause);
         here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
@@ -64,7 +64,7 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
     });
 
     /// <param name="why">The text on the key; null: none.</param>
-    private static void Says(Operator here, string key, string? why, string tip)
+    private static void AssertReason(Operator here, string key, string? why, string tip)
     {
         here.Step();
         var button = here.Find<Button>(key);

@@ -37,10 +37,10 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:");
         Assert.False(here.Find<Button>("StartKey").IsEffectivelyEnabled);
         here.Click(here.Find<Button>("ArmKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("ARMED", here.Find<TextBlock>("StateText").Text);
         here.Click(here.Find<Button>("StartKey"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal(1.0, here.Window.Model.Machine.Progress);
@@ -54,16 +54,16 @@ public sealed class MachineTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Enter("CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(("DONE", 1.0), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress));
         here.Enter("CNCARM", "Stream");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(("ARMED", 0.0, "", 0), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress, here.Window.Model.Machine.SegmentsText, here.Window.Canvas.EngravedMoves));
         here.Enter("CNCRUN");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Window.Canvas.EngravedMoves > 0);
         here.Open("gasket.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(("READY", 0.0, "", ""), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress, here.Window.Model.Machine.SegmentsText, here.Window.Model.Machine.TimeLeft));
         Assert.Equal(0, here.Window.Canvas.EngravedMoves);
@@ -73,7 +73,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     public Task A_dry_run_is_a_state_of_its_own_armed_running_and_done() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Dryrun", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Dryrun", "Stream");
         Assert.Contains("dry run", here.Find<TextBlock>("ReasonText").Text, StringComparison.Ordinal);
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
@@ -82,7 +82,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal(("DRY RUN", "ActLampBrush", "Shape.DryRun"), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.LampKey, here.Window.Model.Machine.ShapeKey));
         Assert.Contains("DRY RUN", here.Window.Title, StringComparison.Ordinal);
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("STOPPED", here.Find<TextBlock>("StateText").Text);
     });
 
@@ -91,7 +91,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Enter("CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream", "CNCRUN");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
         Assert.Equal(0, here.Window.Canvas.EngravedMoves);
         Assert.Contains(here.History, line => line.Contains("segments traversed", StringComparison.Ordinal) && line.Contains("nothing was cut", StringComparison.Ordinal));
@@ -103,15 +103,15 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("CNCCONNECT", "sim:", "CNCARM", "Stream");
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Null(here.Commands.Machine.Runs.LastRun);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Enter("CNCRUN");
         Assert.NotNull(here.Commands.Machine.Runs.LastRun);
         var first = here.Commands.Machine.Runs.LastRun;
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Same(first, here.Commands.Machine.Runs.LastRun);
     });
@@ -123,7 +123,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     {
         StartSlowly(here);
         here.Hands.Press(key, modifiers);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
@@ -146,7 +146,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("HoldKey"));
         here.Until(() => here.Find<TextBlock>("StateText").Text == "HELD");
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.Runs.LastRun!.Result.Outcome, here.Commands.Machine.Runs.LastRun.Result.Holds));
     });
@@ -166,7 +166,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Until(() => strip.Progress > before + 0.1 && strip.TimeLeft != left);
         Assert.Equal(1, here.Commands.Machine.Status.Progress!.SegmentsDone);
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     /// <summary>An ellipse is one entity but many moves of the machine.</summary>
@@ -211,7 +211,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("RapidsSlowerKey"));
         here.Click(here.Find<Button>("RapidsFasterKey"));
         here.Step();
-        Assert.Equal((0.9, 0.4), Asked(here));
+        Assert.Equal((0.9, 0.4), RequestedRatios(here));
     });
 
     [Theory]
@@ -228,13 +228,13 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Hands.Press(Key.OemComma, RawInputModifiers.Control);
         here.Hands.Press(Key.OemComma, RawInputModifiers.Control);
         here.Hands.Press(Key.OemPeriod, RawInputModifiers.Control);
-        here.Until(() => Asked(here) == (1.1, 0.8));
+        here.Until(() => RequestedRatios(here) == (1.1, 0.8));
         Assert.Equal("", here.Window.Model.Command.Line);
         for (var presses = 0; presses < 20; presses++) here.Hands.Press(Key.OemPeriod, RawInputModifiers.Control);
         here.Step();
-        Assert.Equal((1.1, 1.0), Asked(here)); // not above the rapids of the plan
+        Assert.Equal((1.1, 1.0), RequestedRatios(here)); // not above the rapids of the plan
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -258,7 +258,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         var stop = here.Find<Button>("StopKey");
         Assert.True(stop.Bounds.Width >= 64 && stop.Bounds.Height >= 64);
         here.Hands.PressButton(here.MiddleOf(stop));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         here.Hands.ReleaseButton(here.MiddleOf(stop));
@@ -280,7 +280,7 @@ public sealed class MachineTests(DesktopFixture fixture)
 
         Assert.True(stopped.Wait(TimeSpan.FromSeconds(30)), "the job went on while the window was busy");
         press.Join();
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
@@ -290,11 +290,11 @@ public sealed class MachineTests(DesktopFixture fixture)
     [InlineData(true)]
     public Task Stop_is_on_the_wire_while_the_window_is_busy(bool byMouse) => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: 2); // with its clock, so that the watchdog does not depend on the load of the computer
+        using var wire = new TcpMachine(here, speed: 2); // with its clock, so that the watchdog does not depend on the load of the computer
         StartSlowly(here, wire.Address);
         var place = here.MiddleOf(here.Find<Button>("StopKey"));
         using var braked = new ManualResetEventSlim();
-        wire.Heard += text =>
+        wire.CommandReceived += text =>
         {
             if (text.Contains("ST AB", StringComparison.Ordinal)) braked.Set();
         };
@@ -303,21 +303,21 @@ public sealed class MachineTests(DesktopFixture fixture)
 
         Assert.True(braked.Wait(TimeSpan.FromSeconds(30)), "no ST AB came over the wire while the window was busy");
         press.Join();
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     [Fact]
     public Task A_job_runs_to_its_end_over_the_network() => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: double.PositiveInfinity);
+        using var wire = new TcpMachine(here, speed: double.PositiveInfinity);
         here.Open("paper-001.dxf");
         here.Enter("CNCCONNECT", wire.Address);
         Assert.False(here.Window.Model.Machine.IsSimulation);
         here.Click(here.Find<Button>("ArmKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         here.Click(here.Find<Button>("StartKey"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Contains("DONE", here.Window.Title, StringComparison.Ordinal);
@@ -329,32 +329,32 @@ public sealed class MachineTests(DesktopFixture fixture)
     public Task The_canvas_shows_where_the_machine_was_where_its_origin_lies_and_where_it_goes_at_the_end() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Empty(here.Window.Canvas.Overlay!.OriginMarks);
         Assert.Equal(1, here.Window.Canvas.Overlay!.Finish.Count);
         here.Enter("CNCFINISH", "Stay");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(0, here.Window.Canvas.Overlay!.Finish.Count);
         here.Enter("CNCCONNECT", "sim:", "CNCGOTO", "5,5", "CNCZERO", "All");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(default, Assert.Single(here.Window.Canvas.Overlay!.OriginMarks).Place);
 
         here.Enter("CNCARM", "Stream", "CNCRUN");
-        here.Rest();
+        here.WaitUntilIdle();
         var recorded = here.Window.Canvas.Overlay!.Recorded;
         Assert.True(recorded.Count > 10);
         Assert.All(recorded.Primitives, line => Assert.Equal(0, (int)line.Colour)); // a perfect motor has no following error
         here.Enter("CNCTRACE", "Colour", "Speed");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Window.Canvas.Overlay!.Recorded.Primitives.Select(line => line.Colour).Distinct().Count() > 3);
         here.Enter("CNCTRACE", "Off");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(0, here.Window.Canvas.Overlay!.Recorded.Count);
         here.Enter("CNCTRACE", "LAst");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(recorded.Count, here.Window.Canvas.Overlay!.Recorded.Count);
         here.Open("gasket.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(0, here.Window.Canvas.Overlay!.Recorded.Count);
     });
 
@@ -362,19 +362,19 @@ public sealed class MachineTests(DesktopFixture fixture)
     [Fact]
     public Task START_cuts_in_the_same_place_again_also_after_STOP() => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: 20);
+        using var wire = new TcpMachine(here, speed: 20);
         here.Open("paper-001.dxf");
         here.Enter("CNCCONNECT", wire.Address, "CNCGOTO", "12.5,-7.25", "CNCZERO", "All");
-        here.Rest();
+        here.WaitUntilIdle();
 
         var first = Cut();
         Assert.Equal(first, Cut());
         here.Click(here.Find<Button>("ArmKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status is { ToolCommanded: true, Progress.SegmentsDone: > 0 });
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("STOPPED", here.Find<TextBlock>("StateText").Text);
 
         Assert.Equal(first, Cut());
@@ -384,9 +384,9 @@ public sealed class MachineTests(DesktopFixture fixture)
         {
             var before = (int)wire.Record.Count;
             here.Click(here.Find<Button>("ArmKey"));
-            here.Rest();
+            here.WaitUntilIdle();
             here.Click(here.Find<Button>("StartKey"));
-            here.Rest();
+            here.WaitUntilIdle();
             Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
             var rows = wire.Record.Snapshot().Skip(before).Where(row => row.Outputs != 0).ToList();
             return (rows.Min(row => (double)row.A), rows.Min(row => (double)row.B), rows.Max(row => (double)row.A), rows.Max(row => (double)row.B));
@@ -396,7 +396,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     [Fact]
     public Task A_command_that_the_controller_refuses_is_an_alarm() => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: 1);
+        using var wire = new TcpMachine(here, speed: 1);
         here.Enter("CNCCONNECT", wire.Address, "CNCMOTORS", "ON");
         var typed = here.Commands.Machine.Connection.Terminal.TypeAsync("JG 500;BGA", CancellationToken.None);
         here.Until(() => typed.IsCompleted);
@@ -423,7 +423,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
         Assert.Equal(("–", "–", null), (here.Window.Model.Machine.Tool, here.Window.Model.Machine.Feed, here.Window.Model.Machine.Outputs));
         var tab = here.Find<PageTabs>("Pages").Pages.Single(page => page.Key == "Alarms");
-        Assert.Equal((1, false), (tab.Waiting, tab.IsMade));
+        Assert.Equal((1, false), (tab.PendingCount, tab.IsCreated));
         var told = here.Find<PageTabs>("Pages").GetVisualDescendants().OfType<ListBoxItem>().Single(item => item.DataContext == tab);
         Assert.Contains(told.GetVisualDescendants().OfType<TextBlock>(), text => text is { Text: "1", IsEffectivelyVisible: true });
         here.Show("Alarms");
@@ -432,7 +432,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("AcknowledgeAllButton"));
         here.Step();
         Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.DoesNotContain(told.GetVisualDescendants().OfType<TextBlock>(), text => text is { Text: "1", IsEffectivelyVisible: true });
         Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
         Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
@@ -467,7 +467,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
         Assert.False(here.Find<Button>("StartKey").IsEffectivelyEnabled);
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -484,7 +484,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal("", here.Window.Model.Command.Line);
     });
 
-    private static (double Feed, double Rapid) Asked(Operator here) => (here.Commands.Machine.Status.FeedRatio, here.Commands.Machine.Status.RapidRatio);
+    private static (double Feed, double Rapid) RequestedRatios(Operator here) => (here.Commands.Machine.Status.FeedRatio, here.Commands.Machine.Status.RapidRatio);
 
     private static void Press(Operator here, Point? stop)
     {
@@ -492,7 +492,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         else here.Hands.Press(Key.Pause);
     }
 
-    private static void StartSlowly(Operator here, string address = SlowMachine.Address)
+    private static void StartSlowly(Operator here, string address = SlowSimulator.Address)
     {
         here.Open("gasket.dxf");
         here.Enter("CNCCONNECT", address, "CNCARM", "Stream");

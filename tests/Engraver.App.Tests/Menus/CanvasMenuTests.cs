@@ -19,7 +19,7 @@ public sealed class CanvasMenuTests(DesktopFixture fixture)
         Assert.Equal("Repeat ZOOM", shown[0].Header);
         Assert.Equal(["E", "ZOOM", "OPEN"], shown[1].Items.OfType<MenuItem>().Select(item => item.Tag));
         here.Click(shown[0]);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("ZOOM", here.Desk.Prompt.Command);
     });
 
@@ -30,7 +30,7 @@ public sealed class CanvasMenuTests(DesktopFixture fixture)
         here.Enter("SELECT", "ALL", "");
         var shown = Open(here);
         here.Click(shown.Single(item => item.Tag is "ERASE"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(0, here.Commands.Document.Current.Drawing!.Entities.Count);
     });
@@ -45,11 +45,11 @@ public sealed class CanvasMenuTests(DesktopFixture fixture)
         Assert.Equal(["CanvasMenu.Enter", "CanvasMenu.Cancel"], shown.Select(item => item.Tag).Take(2));
         Assert.Equal(here.Desk.Prompt.Options.Select(option => option.Name), shown.Skip(3).Select(item => item.Tag));
         here.Click(shown.Single(item => item.Tag is "Extents"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Null(here.Desk.Prompt.Command);
         here.Enter("ZOOM");
         here.Click(Open(here)[1]);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Null(here.Desk.Prompt.Command);
     });
 
@@ -60,7 +60,7 @@ public sealed class CanvasMenuTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("ERASE", "L");
         here.Hands.Click(here.MiddleOf(here.Window.Canvas), MouseButton.Right);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(3, here.Commands.Document.Current.Drawing!.Entities.Count);
     });

@@ -71,7 +71,7 @@ public sealed class MenuLayoutTests(DesktopFixture fixture)
         here.Click(machine);
         var status = machine.Items.OfType<MenuItem>().Single(item => item.Tag is "CNCSTATUS");
         here.Click(status);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Contains("OFFLINE", here.History);
     });

@@ -69,7 +69,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Field<CheckBox>(here, "ORTHOMODE").IsChecked = true;
         here.Click(here.Find<Button>("OptionsTake"));
         here.Until(() => !here.Window.Model.Options.IsOpen);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal((0.02, "Drawn", true), (here.Commands.Document.Current.Settings.MaxErrorMm, here.Commands.Document.Current.Settings.Order.ToString(), here.Commands.View.Current.Ortho));
         Assert.Contains(here.History, line => line.Contains("CNCMAXERR", StringComparison.Ordinal));
@@ -87,7 +87,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Show(here, "Toolpath");
         Choose(here, "order", "Drawn");
         here.Click(here.Find<Button>("OptionsApply"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(here.Window.Model.Options.IsOpen);
         Assert.Equal("Drawing", here.Window.Model.Options.Page); // the page of the invalid value
@@ -102,8 +102,8 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Open(here, "Toolpath");
         Choose(here, "kerf", "Outside"); // without a diameter
         here.Click(here.Find<Button>("OptionsTake"));
-        here.Until(() => Row(here, "kerf").IsWrong);
-        here.Rest();
+        here.Until(() => Row(here, "kerf").HasError);
+        here.WaitUntilIdle();
         Assert.Null(here.Desk.Prompt.Command);
         Field<TextBox>(here, "tool-diameter").Text = "3";
         here.Click(here.Find<Button>("OptionsTake"));
@@ -116,7 +116,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
     public Task While_a_job_runs_it_opens_and_what_belongs_to_the_job_is_refused() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Stream");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
         _ = here.Desk.Queue.RunAsync("OPTIONS");
@@ -125,12 +125,12 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Show(here, "Feeds");
         Field<TextBox>(here, "feed").Text = "77";
         here.Click(here.Find<Button>("OptionsApply"));
-        here.Until(() => Row(here, "feed").IsWrong);
-        Assert.StartsWith("CNCFEED can change the drawing", Row(here, "feed").Wrong, StringComparison.Ordinal);
+        here.Until(() => Row(here, "feed").HasError);
+        Assert.StartsWith("CNCFEED can change the drawing", Row(here, "feed").Error, StringComparison.Ordinal);
         Assert.True(here.Commands.Machine.IsRunning);
         here.Hands.Press(Key.Pause);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     /// <summary>Toggling a check box of a sheet moves nothing: Tab reaches it, its focus is visible, and Space toggles it.</summary>
@@ -152,7 +152,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         for (var presses = 0; presses < 40 && here.Window.FocusManager?.GetFocusedElement() is not CheckBox; presses++) Press(here, Key.Tab);
         Press(here, Key.Enter);
         here.Until(() => !here.Window.Model.Options.IsOpen);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(!before, here.Commands.View.Current.Grid);
     });
@@ -166,13 +166,13 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Show(here, here.Window.Model.Options.Pages[1]);
         var order = Field<ComboBox>(here, "order");
         Assert.Contains("Nächste", order.GetVisualDescendants().OfType<TextBlock>().Select(text => text.Text));
-        Assert.Contains("Gezeichnet", Row(here, "order").Entry.ShownChoices.Select(choice => choice.Word));
-        Assert.Contains("Aus", Row(here, "kerf").Entry.ShownChoices.Select(choice => choice.Word));
+        Assert.Contains("Gezeichnet", Row(here, "order").Entry.DisplayChoices.Select(choice => choice.Word));
+        Assert.Contains("Aus", Row(here, "kerf").Entry.DisplayChoices.Select(choice => choice.Word));
         Assert.Contains("Nächste", Row(here, "order").Meaning, StringComparison.Ordinal);
         Choose(here, "order", "Drawn");
         here.Click(here.Find<Button>("OptionsTake"));
         here.Until(() => !here.Window.Model.Options.IsOpen);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal("Drawn", here.Commands.Document.Current.Settings.Order.ToString());
     }, language: new CultureInfo("de"));

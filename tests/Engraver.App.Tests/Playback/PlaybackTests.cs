@@ -34,7 +34,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:?speed=5");
         here.Show("Table");
         here.Click(here.Find<Button>("ArmKey"));
-        here.Rest();
+        here.WaitUntilIdle();
         here.Window.Model.Playback.PlayOrPause.Execute(null);
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.IsRunning && here.Desk.Derived.RowUnderTool > 1);
@@ -49,7 +49,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         Assert.Equal(here.Desk.Derived.RowUnderTool, here.Find<ListBox>("RowList").SelectedIndex);
         Assert.Equal(here.Window.Model.Playback.At, here.Find<Avalonia.Controls.Slider>("Scrub").Value);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(here.Window.Model.Playback.Total, here.Window.Model.Playback.At);
     });
 
@@ -58,11 +58,11 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         var seen = new SortedSet<int>();
-        here.Commands.Walk.Changed += (_, _) => seen.Add(here.Commands.Walk.Moves ?? 0);
+        here.Commands.SequenceAnimation.Changed += (_, _) => seen.Add(here.Commands.SequenceAnimation.Moves ?? 0);
         here.Enter("AUTOWALK", "1", "AUTOSEQUENCE");
 
         var lit = here.Window.Canvas.EngravedMoves; // the walk pauses at the first discontinuity, and the part before it stays highlighted
-        Assert.Equal(here.Commands.Walk.Moves, lit);
+        Assert.Equal(here.Commands.SequenceAnimation.Moves, lit);
         Assert.True(lit > 0);
         here.Enter("All");
         Assert.Equal(0, here.Window.Canvas.EngravedMoves);
@@ -109,11 +109,11 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     public Task A_picked_entity_is_selected_and_the_tool_goes_there() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Until(() => here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
         var canvas = here.Window.Canvas;
         var entity = here.Commands.Derivation.Current.Sequence!.Table.EntityIndexOf(2);
         canvas.Commands!.PickAt(default, entity, canvas.Scene!.Drawing, remove: false);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Null(here.Window.Canvas.PlaybackPosition); // the entity was picked, not played
         Assert.Equal([entity], here.Commands.Document.Current.Selection);

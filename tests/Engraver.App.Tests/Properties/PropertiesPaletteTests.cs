@@ -18,7 +18,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     {
         Select(here, 0);
         Assert.Equal("20", Line(here, "Radius").Value);
-        Assert.Equal(["General", "Geometry", "Entity table, 16 slots"], Lines(here).Where(line => line.IsHead).Select(line => line.Name).Take(3));
+        Assert.Equal(["General", "Geometry", "Entity table, 16 slots"], Lines(here).Where(line => line.IsHeader).Select(line => line.Name).Take(3));
         Select(here, 0, 1);
         Assert.Equal("*VARIES*", Line(here, "Radius").Value);
         Assert.Equal("CIRCLE", Line(here, "Type").Value);
@@ -55,7 +55,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     {
         Select(here, 0);
         _ = here.Desk.Queue.RunAsync("DIST");
-        here.Rest();
+        here.WaitUntilIdle();
         Type(here, "Radius", "7", Key.Enter);
 
         Assert.Equal(20.0, Radius(here, 0));
@@ -78,7 +78,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         var box = Field<ComboBox>(here, "Layer");
         Assert.Equal(["0", "CUT"], box.Items.Cast<string>());
         box.SelectedItem = "CUT";
-        here.Rest();
+        here.WaitUntilIdle();
         Type(here, "Color", "red", Key.Enter);
         var entities = here.Commands.Document.Current.Drawing!.Entities;
         Assert.Equal([(1, 1), (0, null), (1, (int?)1)], new[] { 0, 1, 2 }.Select(index => (entities[index].Layer, entities[index].Colour.Index)));
@@ -94,8 +94,8 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         var line = Line(here, "Radius");
         line.Typed = "33";
         Select(here, 1);
-        line.Take();
-        here.Rest();
+        line.Accept();
+        here.WaitUntilIdle();
         Assert.Equal((20.0, 10.0), (Radius(here, 0), Radius(here, 1)));
     });
 
@@ -111,7 +111,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         here.Step();
         here.Hands.Press(Key.Down);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(entities, here.Commands.Document.Current.Drawing!.Entities.Count); // ERASE was not repeated
         Assert.Equal([0], here.Commands.Document.Current.Selection);
@@ -121,8 +121,8 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     {
         var cut = new Layer("CUT", On: true, Frozen: false, Plot: true);
         var drawing = new DrawingBuilder().Circle(0, 0, 20).Circle(100, 0, 10).OnLayer(cut).Line(0, 50, 100, 50).Build();
-        here.Commands.Document.Take("OPEN", new DocumentState { Drawing = drawing });
-        here.Rest();
+        here.Commands.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
+        here.WaitUntilIdle();
         here.Show("Properties");
         test(here);
     });
@@ -130,7 +130,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     private static void Select(Operator here, params int[] objects)
     {
         here.Commands.Document.Select(objects, []);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static IEnumerable<PropertyLine> Lines(Operator here) => here.Find<ListBox>("LineList").Items.Cast<PropertyLine>();
@@ -152,7 +152,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         here.Hands.Press(Key.A, RawInputModifiers.Control);
         here.Hands.Type(text);
         here.Hands.Press(end);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static double Radius(Operator here, int entity) => DrawingPick.Segments(here.Commands.Document.Current.Drawing!, entity).Single().Arc.Radius;

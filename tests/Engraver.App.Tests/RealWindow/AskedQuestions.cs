@@ -18,9 +18,9 @@ internal sealed class AskedQuestions
     /// <summary>Position of the tab of the page, and of its keys.</summary>
     public Point Tab { get; private set; }
 
-    public Point Begin { get; private set; }
+    public Point Start { get; private set; }
 
-    public Point BreakOff { get; private set; }
+    public Point Abort { get; private set; }
 
     public IReadOnlyList<AskedQuestion> All => _asked;
 
@@ -43,9 +43,9 @@ internal sealed class AskedQuestions
             here.Enter("CNCCONNECT", "sim:?speed=10");
             here.Show("Commissioning");
             found.Tab = here.MiddleOf(here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is Engraver.App.Tabs.PageTab { Key: "Commissioning" }));
-            (found.Begin, found.BreakOff) = (here.MiddleOf(here.Find<Button>("BeginKey")), here.MiddleOf(here.Find<Button>("BreakOffKey")));
+            (found.Start, found.Abort) = (here.MiddleOf(here.Find<Button>("BeginKey")), here.MiddleOf(here.Find<Button>("BreakOffKey")));
             here.Click(here.Find<Button>("BeginKey"));
-            here.Rest();
+            here.WaitUntilIdle();
             foreach (var answer in answers) found.Answer(here, answer);
             found.EndPlace = PlaceOf(here, here.Find<ItemsControl>("CommissioningSteps"));
             found.EndLook = Look(here, found.EndPlace);
@@ -56,7 +56,7 @@ internal sealed class AskedQuestions
     private void Answer(Operator here, GivenAnswer answer)
     {
         here.Until(() => here.Desk.Prompt.Command is not null && (answer.Way == AnswerWay.Typed || ButtonOf(here, answer.Text) is not null)); // a busy computer shows the next question later
-        here.Rest();
+        here.WaitUntilIdle();
         var question = here.Find<TextBlock>("QuestionText");
         var place = PlaceOf(here, question);
         var button = answer.Way == AnswerWay.Typed ? (Point?)null : here.MiddleOf(ButtonOf(here, answer.Text)!);
@@ -75,7 +75,7 @@ internal sealed class AskedQuestions
             here.Hands.Press(Avalonia.Input.Key.Pause);
         }
 
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static Button? ButtonOf(Operator here, string answer)

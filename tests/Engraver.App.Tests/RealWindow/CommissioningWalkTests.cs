@@ -38,21 +38,21 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         var asked = await AskedQuestions.OfAsync(fixture, drawing, files.Path, s_answers);
         File.Delete(profile); // written by the window in memory
         using var desktop = new ShownDesktop(files.Path);
-        machine.Go();
+        machine.StartClock();
         desktop.EnterUntil(Drawing, "OPEN", drawing);
         desktop.EnterUntil(Drawing + " - READY", "CNCCONNECT", machine.Address);
         desktop.Click(asked.Tab);
 
         // Aborted at the third question: nothing is kept.
         desktop.Settle();
-        desktop.Click(asked.Begin);
+        desktop.Click(asked.Start);
         foreach (var question in asked.All.Take(3)) Answer(desktop, question);
-        desktop.Click(asked.BreakOff);
+        desktop.Click(asked.Abort);
         desktop.Settle();
         Keep(desktop, "commission-1-broken-off");
 
         // From start to end.
-        desktop.Click(asked.Begin);
+        desktop.Click(asked.Start);
         for (var i = 0; i < asked.All.Count; i++)
         {
             var question = asked.All[i];
@@ -78,11 +78,11 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
 
         desktop.WaitForLook(question.Place, question.Look, question.Text);
         desktop.Click(question.Button!.Value);
-        await machine.GoUntilAsync(status => status.IsMoving && machine.Place.A > 2_000);
+        await machine.RunUntilAsync(status => status.IsMoving && machine.Place.A > 2_000);
         desktop.Press("Pause");
-        await machine.GoUntilAsync(status => status.IsIdle);
+        await machine.RunUntilAsync(status => status.IsIdle);
         Assert.InRange(machine.Place.A, 2_000, 5_000);
-        machine.Go();
+        machine.StartClock();
     }
 
     private static void Answer(ShownDesktop desktop, AskedQuestion question)

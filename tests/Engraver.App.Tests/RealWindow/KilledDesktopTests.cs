@@ -25,9 +25,9 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
         using var files = new TemporaryDesktopFolder();
         using var state = new TemporaryDesktopFolder();
         await using var machine = await RealMachine.SwitchedOnAsync();
-        var at = await DeskPlaces.OfAsync(fixture, RealMachine.ProfileIn(files.Path));
+        var at = await ControlPositions.OfAsync(fixture, RealMachine.ProfileIn(files.Path));
         var zero = (A: 40 * RealMachine.Scale, B: 25 * RealMachine.Scale);
-        machine.Go();
+        machine.StartClock();
         long killed;
         using (var desktop = new ShownDesktop(state.Path))
         {
@@ -37,13 +37,13 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
             desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
             desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
             desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
-            await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > zero.A + (90 * RealMachine.Scale));
+            await machine.RunUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > zero.A + (90 * RealMachine.Scale));
             killed = machine.Controller.Status.Sample;
             desktop.Kill();
         }
 
-        var stopped = await machine.GoUntilAsync(status => status is { IsMoving: false, Outputs: 0 });
-        machine.Go();
+        var stopped = await machine.RunUntilAsync(status => status is { IsMoving: false, Outputs: 0 });
+        machine.StartClock();
         var tail = machine.Controller.Record.Snapshot().Where(row => row.Sample > killed).ToList();
         Assert.InRange(tail[^1].Sample - killed, 0, LongestTail);
         Assert.Equal(0, stopped.Outputs);
@@ -77,7 +77,7 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
         using var state = new TemporaryDesktopFolder();
         await using (var machine = await RealMachine.SwitchedOnAsync())
         {
-            machine.Go();
+            machine.StartClock();
             using var desktop = new ShownDesktop(state.Path);
             Begin(desktop, machine, "READY");
             desktop.EnterUntil(Drawing + " - MOVING", "CNCGOTO", "40,25");
@@ -85,12 +85,12 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
             desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
             desktop.EnterUntil(Drawing + " - ARMED", "CNCARM", "Stream");
             desktop.EnterUntil(Drawing + " - RUNNING", "CNCRUN");
-            await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > 130 * RealMachine.Scale);
+            await machine.RunUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > 130 * RealMachine.Scale);
             desktop.Kill();
         }
 
         await using var again = await RealMachine.SwitchedOnAsync();
-        again.Go();
+        again.StartClock();
         using var next = new ShownDesktop(state.Path);
         Begin(next, again, "NO ORIGIN");
         next.Settle();

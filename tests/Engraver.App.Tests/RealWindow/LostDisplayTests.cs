@@ -17,7 +17,7 @@ public sealed class LostDisplayTests
     {
         using var state = new TemporaryDesktopFolder();
         await using var machine = await RealMachine.SwitchedOnAsync();
-        machine.Go();
+        machine.StartClock();
         using var desktop = new ShownDesktop(state.Path);
         desktop.EnterUntil(Drawing, "OPEN", Path.Combine(RepositoryFolder.Samples, Drawing));
         desktop.EnterUntil(Drawing + " - READY", "CNCCONNECT", machine.Address);
@@ -26,13 +26,13 @@ public sealed class LostDisplayTests
         desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
         desktop.EnterUntil(Drawing + " - ARMED", "CNCARM", "Stream");
         desktop.EnterUntil(Drawing + " - RUNNING", "CNCRUN");
-        await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > 130 * RealMachine.Scale);
+        await machine.RunUntilAsync(status => (status.Outputs & ToolOn) != 0 && machine.Place.A > 130 * RealMachine.Scale);
         desktop.LoseDisplay();
 
-        await machine.GoUntilAsync(status => status is { IsMoving: false, Outputs: 0 });
-        machine.Go();
+        await machine.RunUntilAsync(status => status is { IsMoving: false, Outputs: 0 });
+        machine.StartClock();
         Assert.Equal(1, desktop.WaitForExit());
-        Assert.Contains(desktop.Heard, line => line.Contains("engraver-desktop: " + Why, StringComparison.Ordinal));
+        Assert.Contains(desktop.Output, line => line.Contains("engraver-desktop: " + Why, StringComparison.Ordinal));
         var journal = Directory.GetFiles(desktop.Journals, "paper-001-*.jsonl").Order(StringComparer.Ordinal).Last();
         var end = File.ReadLines(journal).Last(line => line.Contains("\"kind\":\"end\"", StringComparison.Ordinal));
         Assert.Contains("\"outcome\":\"stopped\"", end, StringComparison.Ordinal);
@@ -47,6 +47,6 @@ public sealed class LostDisplayTests
         desktop.LoseDisplay();
 
         Assert.Equal(1, desktop.WaitForExit());
-        Assert.Contains(desktop.Heard, line => line.EndsWith("engraver-desktop: The connection to the display was lost; the program closes. No machine was moving.", StringComparison.Ordinal));
+        Assert.Contains(desktop.Output, line => line.EndsWith("engraver-desktop: The connection to the display was lost; the program closes. No machine was moving.", StringComparison.Ordinal));
     }
 }

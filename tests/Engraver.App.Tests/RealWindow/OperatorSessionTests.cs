@@ -22,9 +22,9 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         using var files = new TemporaryDesktopFolder();
         await using var machine = await RealMachine.SwitchedOnAsync();
         var profile = RealMachine.ProfileIn(files.Path);
-        var at = await DeskPlaces.OfAsync(fixture, profile);
+        var at = await ControlPositions.OfAsync(fixture, profile);
         using var desktop = new ShownDesktop();
-        machine.Go();
+        machine.StartClock();
 
         // Power on, connect, home.
         var morning = Path.Combine(files.Path, "morning.scr");
@@ -60,9 +60,9 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.WaitForTitle(Drawing + " - READY");
         desktop.EnterUntil(Drawing + " - ARMED", "CNCARM", "Dryrun", "Stream");
         desktop.ClickUntil(at["StartKey"], Drawing + " - DRY RUN");
-        await machine.GoUntilAsync(status => status.IsMoving && machine.Place.A > corner.A + (60 * RealMachine.Scale));
+        await machine.RunUntilAsync(status => status.IsMoving && machine.Place.A > corner.A + (60 * RealMachine.Scale));
         Keep(desktop, "day-3-dry-run");
-        machine.Go();
+        machine.StartClock();
         desktop.WaitForTitle(Drawing + " - DONE");
         Assert.All(Rows(machine, 0), row => Assert.Equal(0, row.Outputs & ToolOn));
 
@@ -72,10 +72,10 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Keep(desktop, "day-4-armed");
         var began = (int)machine.Controller.Record.Count;
         desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
-        using (var way = new CutWay(machine, ToolOn)) await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && way.Counts > 30 * RealMachine.Scale);
+        using (var way = new CutLength(machine, ToolOn)) await machine.RunUntilAsync(status => (status.Outputs & ToolOn) != 0 && way.Counts > 30 * RealMachine.Scale);
         Keep(desktop, "day-5-running");
         desktop.Press("Escape");
-        machine.Go();
+        machine.StartClock();
         desktop.WaitForTitle(Drawing + " - HELD");
         Assert.Equal(0, machine.Controller.Status.Outputs & ToolOn);
         desktop.Click(at["SlowerKey"]);
@@ -83,10 +83,10 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Keep(desktop, "day-6-held");
         desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
         var resumed = (int)machine.Controller.Record.Count;
-        using (var way = new CutWay(machine, ToolOn)) await machine.GoUntilAsync(_ => way.Counts > 60 * RealMachine.Scale);
+        using (var way = new CutLength(machine, ToolOn)) await machine.RunUntilAsync(_ => way.Counts > 60 * RealMachine.Scale);
         Assert.InRange(FastestCut(machine, resumed), 0.5, 0.95); // slower than the feed of the profile
         desktop.Press("Pause");
-        machine.Go();
+        machine.StartClock();
         desktop.WaitForTitle(Drawing + " - STOPPED");
         Assert.Equal(0, machine.Controller.Status.Outputs & ToolOn);
         desktop.Click(at["Alarms"]);
@@ -105,8 +105,8 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         // The second plate, in another fixture.
         desktop.EnterUntil(Drawing + " - NO ORIGIN", "CNCOVERRIDE", "100", "CNCORIGIN", "G55");
         desktop.EnterUntil(Drawing + " - MOVING", "CNCGOTO", "150,60");
-        await machine.GoUntilAsync(status => status.IsIdle && machine.Place == (150 * RealMachine.Scale, 60 * RealMachine.Scale));
-        machine.Go();
+        await machine.RunUntilAsync(status => status.IsIdle && machine.Place == (150 * RealMachine.Scale, 60 * RealMachine.Scale));
+        machine.StartClock();
         desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
         var second = (int)machine.Controller.Record.Count;
         desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
@@ -127,7 +127,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
             desktop.HoldDown(key);
             try
             {
-                await machine.GoUntilAsync(_ => machine.Place != before, s_untilPressedAgain);
+                await machine.RunUntilAsync(_ => machine.Place != before, s_untilPressedAgain);
             }
             catch (TimeoutException)
             {
@@ -136,9 +136,9 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
                 continue;
             }
 
-            await machine.GoUntilAsync(status => !status.IsMoving || far(machine.Place));
+            await machine.RunUntilAsync(status => !status.IsMoving || far(machine.Place));
             desktop.LetGo();
-            machine.Go();
+            machine.StartClock();
             desktop.WaitForTitle(Drawing + " - MOVING");
             desktop.WaitForTitle(Drawing + " - NO ORIGIN");
         }

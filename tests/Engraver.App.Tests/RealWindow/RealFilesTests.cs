@@ -60,7 +60,7 @@ public sealed class RealFilesTests
         desktop.Type("gask");
         Keep(desktop, "file-dialog");
         desktop.Press("Return");
-        return desktop.IsCalledSoon("gasket.dxf - CNC");
+        return desktop.HasTitleSoon("gasket.dxf - CNC");
     }
 
     private static string Sample(string name) => Path.Combine(RepositoryFolder.Samples, name);

@@ -13,21 +13,21 @@ internal sealed class RealMachine : IAsyncDisposable
     /// <summary>Distance of the axes from their home switches at power-on.</summary>
     private const int FromHome = 25 * Scale;
 
-    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
-    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(20);
+    private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(5);
+    private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(20);
 
     /// <summary>Steps at rest are longer: an axis at rest shows no motion during the operator's input, but the host still polls it, and a long pause would
     /// take thousands of polls.</summary>
-    private static readonly TimeSpan s_momentAtRest = TimeSpan.FromMilliseconds(4);
+    private static readonly TimeSpan s_stepAtRest = TimeSpan.FromMilliseconds(4);
 
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a failing test waits that long
+    private static readonly TimeSpan s_timeout = TimeSpan.FromSeconds(60); // only a failing test waits that long
 
     private readonly ManualTimeProvider _clock = new();
     private readonly Timer _timer;
     private readonly Lock _gate = new();
     private Func<ControllerStatus, bool>? _until;
     private TaskCompletionSource<ControllerStatus>? _met;
-    private bool _goes;
+    private bool _isRunning;
 
     private RealMachine()
     {
@@ -38,7 +38,7 @@ internal sealed class RealMachine : IAsyncDisposable
             Time = _clock,
             Switches = [new AxisSwitches(0) { HomeAt = -FromHome, IsHomeBelow = true }, new AxisSwitches(1) { HomeAt = -FromHome, IsHomeBelow = true }],
         });
-        _timer = new Timer(_ => Pass(), null, s_look, s_look);
+        _timer = new Timer(_ => Advance(), null, s_interval, s_interval);
     }
 
     public SimulatedController Controller { get; }
@@ -72,30 +72,30 @@ internal sealed class RealMachine : IAsyncDisposable
     }
 
     /// <summary>Starts the clock.</summary>
-    public void Go()
+    public void StartClock()
     {
-        lock (_gate) _goes = true;
+        lock (_gate) _isRunning = true;
     }
 
     /// <summary>Runs the clock until the controller meets a condition, then stops it.</summary>
     /// <exception cref="TimeoutException">The condition was not met; the clock is stopped.</exception>
-    public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition, TimeSpan? patience = null)
+    public async Task<ControllerStatus> RunUntilAsync(Func<ControllerStatus, bool> condition, TimeSpan? patience = null)
     {
         var met = new TaskCompletionSource<ControllerStatus>(TaskCreationOptions.RunContinuationsAsynchronously);
-        lock (_gate) (_until, _met, _goes) = (condition, met, true);
+        lock (_gate) (_until, _met, _isRunning) = (condition, met, true);
         try
         {
-            return await met.Task.WaitAsync(patience ?? s_patience);
+            return await met.Task.WaitAsync(patience ?? s_timeout);
         }
         catch (TimeoutException)
         {
-            lock (_gate) (_until, _met, _goes) = (null, null, false);
+            lock (_gate) (_until, _met, _isRunning) = (null, null, false);
             throw;
         }
     }
 
     /// <summary>Advances the clock immediately, while no host is connected.</summary>
-    public void Pass(TimeSpan controllerTime)
+    public void Advance(TimeSpan controllerTime)
     {
         lock (_gate) _clock.Advance(controllerTime / 10);
     }
@@ -106,19 +106,19 @@ internal sealed class RealMachine : IAsyncDisposable
         await Controller.DisposeAsync();
     }
 
-    private void Pass()
+    private void Advance()
     {
         if (!_gate.TryEnter()) return; // the previous step is not complete yet
         try
         {
             if (_until is { } until && until(Controller.Status))
             {
-                _goes = false;
+                _isRunning = false;
                 _met!.TrySetResult(Controller.Status);
                 (_until, _met) = (null, null);
             }
 
-            if (_goes) _clock.Advance(Controller.Status.IsMoving ? s_moment : s_momentAtRest);
+            if (_isRunning) _clock.Advance(Controller.Status.IsMoving ? s_step : s_stepAtRest);
         }
         finally
         {

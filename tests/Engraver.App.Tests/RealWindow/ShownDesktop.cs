@@ -15,21 +15,21 @@ internal sealed class ShownDesktop : IDisposable
     private readonly TemporaryDesktopFolder _screen = new();
     private static readonly TimeSpan s_untilAgain = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan s_untilTypedAgain = TimeSpan.FromSeconds(10);
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a failing test waits that long
+    private static readonly TimeSpan s_timeout = TimeSpan.FromSeconds(60); // only a failing test waits that long
 
     /// <summary>Two frames of the screen: polling more often takes processor time from the program under test.</summary>
-    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(33);
+    private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(33);
 
     /// <summary>Number of equal pictures in a row, while the program is idle, after which the window counts as painted; the caret blinks every half
     /// second.</summary>
     private const int LooksAtRest = 14;
 
     /// <summary>Four seconds: the maximum wait for a busy program.</summary>
-    private const int MostLooks = 120;
+    private const int MaxLooks = 120;
 
     private readonly XServer _server;
-    private readonly ToldProcess _desktop;
-    private readonly ToldProcess _titles;
+    private readonly LineProcess _desktop;
+    private readonly LineProcess _titles;
 
     /// <param name="folder">The operator's files, possibly those of an earlier desktop; null: a new folder.</param>
     public ShownDesktop(string? folder = null)
@@ -38,10 +38,10 @@ internal sealed class ShownDesktop : IDisposable
         _folder = folder ?? _ownFolder!.Path;
         _server = new XServer(screenFolder: _screen.Path);
         var program = Path.Combine(AppContext.BaseDirectory, "engraver-desktop.dll");
-        _desktop = new ToldProcess("env", _server.Display, $"XDG_DATA_HOME={_folder}", "dotnet", program, "--size", "1200x760", "--scale", "1");
+        _desktop = new LineProcess("env", _server.Display, $"XDG_DATA_HOME={_folder}", "dotnet", program, "--size", "1200x760", "--scale", "1");
         Id = _server.Run("xdotool", "search", "--sync", "--onlyvisible", "--name", "CNC Engraver").Trim();
         _server.Run("xdotool", "windowactivate", "--sync", Id);
-        _titles = new ToldProcess("xprop", _server.Display, "-id", Id, "-spy", "_NET_WM_NAME");
+        _titles = new LineProcess("xprop", _server.Display, "-id", Id, "-spy", "_NET_WM_NAME");
     }
 
     /// <summary>The window's number on the server.</summary>
@@ -50,7 +50,7 @@ internal sealed class ShownDesktop : IDisposable
     public string Journals => Path.Combine(_folder, "CncEngraver", "journals");
 
     /// <summary>All titles so far.</summary>
-    public IEnumerable<string> Titles => _titles.Heard;
+    public IEnumerable<string> Titles => _titles.Lines;
 
     public ServerScreen Screen() => new(_screen.Path);
 
@@ -74,7 +74,7 @@ internal sealed class ShownDesktop : IDisposable
         {
             Settle();
             Enter(words);
-            if (_titles.HearsWithin(Title(beginning), s_untilTypedAgain)) return;
+            if (_titles.PrintsWithin(Title(beginning), s_untilTypedAgain)) return;
             Press("Escape");
         }
 
@@ -94,14 +94,14 @@ internal sealed class ShownDesktop : IDisposable
         for (var tries = 0; tries < 10; tries++)
         {
             Click(place);
-            if (_titles.HearsWithin(Title(beginning), s_untilAgain)) return;
+            if (_titles.PrintsWithin(Title(beginning), s_untilAgain)) return;
         }
 
         WaitForTitle(beginning);
     }
 
     /// <summary>Whether the window gets a title within some seconds.</summary>
-    public bool IsCalledSoon(string beginning) => _titles.HearsWithin(Title(beginning), s_untilTypedAgain);
+    public bool HasTitleSoon(string beginning) => _titles.PrintsWithin(Title(beginning), s_untilTypedAgain);
 
     /// <summary>Presses the mouse button and keeps it down.</summary>
     public void HoldDown(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "mousedown", "1");
@@ -130,18 +130,18 @@ internal sealed class ShownDesktop : IDisposable
     public int WaitForExit() => _desktop.WaitForExit();
 
     /// <summary>The output of the program so far, standard output and errors.</summary>
-    public IReadOnlyCollection<string> Heard => _desktop.Heard;
+    public IReadOnlyCollection<string> Output => _desktop.Lines;
 
     /// <summary>The picture of the window after it has come to rest, without the frame of the window manager.</summary>
     public byte[] Picture()
     {
         var (last, same) = (Screen(), 0);
-        var work = new ThreadsAtWork(_desktop.Id);
-        using var looks = new Looks(s_look);
-        for (var look = 0; look < MostLooks && same < LooksAtRest; look++)
+        var work = new BusyThreads(_desktop.Id);
+        using var looks = new PollingTimer(s_interval);
+        for (var look = 0; look < MaxLooks && same < LooksAtRest; look++)
         {
-            looks.Next();
-            if (work.GoOn())
+            looks.WaitForNext();
+            if (work.StillBusy())
             {
                 same = 0; // the screen is not at its final state
                 continue;
@@ -163,11 +163,11 @@ internal sealed class ShownDesktop : IDisposable
     {
         _server.Run("xdotool", "mousemove", "--window", Id, "640", "17"); // beside the menus: the pointer is part of the picture
         var (corner, since) = (Corner(), Stopwatch.GetTimestamp());
-        using var looks = new Looks(s_look);
+        using var looks = new PollingTimer(s_interval);
         while (!Screen().Shows(new PixelRect(corner.X + place.X, corner.Y + place.Y, place.Width, place.Height), look))
         {
-            looks.Next();
-            if (Stopwatch.GetElapsedTime(since) < s_patience) continue;
+            looks.WaitForNext();
+            if (Stopwatch.GetElapsedTime(since) < s_timeout) continue;
             KeepFailure();
             throw new InvalidOperationException($"The window does not show: {what}");
         }

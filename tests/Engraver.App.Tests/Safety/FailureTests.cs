@@ -17,7 +17,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         StartSlowly(here);
         Dispatcher.UIThread.Post(() => throw new InvalidOperationException("A page lost its mind."));
         here.Step();
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         IsReported(here, "A page lost its mind");
@@ -46,7 +46,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         here.Commands.Document.Changed -= Fail;
         IsReported(here, "Nobody expected this");
         here.Hands.Press(Avalonia.Input.Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
 
         here.Open("paper-001.dxf");
         Assert.Contains("paper-001", here.Commands.Document.Current.Drawing!.FileName, StringComparison.Ordinal);
@@ -62,7 +62,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         alarms.Changed += (_, _) => order.Add("alarm");
         var folder = Directory.CreateTempSubdirectory("failures-");
         var guard = new FailureGuard(() => order.Add($"stop, {folder.GetFiles().Length} reports"), alarms, new FailureReports(folder.FullName, new ManualTimeProvider()));
-        for (var i = 0; i < 30; i++) guard.Take(new InvalidOperationException("Again."));
+        for (var i = 0; i < 30; i++) guard.Handle(new InvalidOperationException("Again."));
 
         Assert.Equal(["stop, 0 reports", "alarm", "stop, 1 reports"], order.Take(3));
         Assert.Equal(30, Assert.Single(alarms.All).Count);
@@ -77,7 +77,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         var alarms = new AlarmLog(TimeProvider.System);
         var guard = new FailureGuard(() => { }, alarms, new FailureReports(file, TimeProvider.System));
 
-        Assert.Null(guard.Take(new InvalidOperationException("Broken.")));
+        Assert.Null(guard.Handle(new InvalidOperationException("Broken.")));
         Assert.Equal(AlarmCause.InternalError, Assert.Single(alarms.All).Cause);
         File.Delete(file);
     }
@@ -94,7 +94,7 @@ public sealed class FailureTests(DesktopFixture fixture)
     private static void StartSlowly(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Avalonia.Input.Key.Enter);
         here.Until(() => here.Commands.Machine.Runs.Progress is { SegmentsSent: > 0 });

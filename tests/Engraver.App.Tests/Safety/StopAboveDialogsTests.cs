@@ -34,7 +34,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.False(shown.IsCompleted);
         dialog.Close();
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Theory]
@@ -54,7 +54,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.Runs.LastRun!.Result.Holds);
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.True(here.Window.Model.Connect.IsOpen);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -78,7 +78,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
 
         here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -94,7 +94,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
 
         here.Hands.Press(Key.Pause);
         here.Until(() => !here.Desk.IsMoving && !here.Commands.Machine.IsRunning);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Window.Model.Command.Line = "";
         StartAgain(here);
         here.Window.Close();
@@ -116,7 +116,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
     private static void StartSlowly(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", SlowMachine.Address);
+        here.Enter("CNCCONNECT", SlowSimulator.Address);
         StartAgain(here);
     }
 

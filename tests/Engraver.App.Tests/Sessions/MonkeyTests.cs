@@ -16,7 +16,7 @@ namespace Engraver.App.Tests.Sessions;
 public sealed class MonkeyTests(DesktopFixture fixture)
 {
     private const int Seeds = 2;
-    private const long MostMemory = 500L << 20;
+    private const long MaxMemory = 500L << 20;
 
     /// <summary>Of the top of the window with the menu titles, which lead to Exit and Save.</summary>
     private const double MenuHeight = 34.0;
@@ -68,7 +68,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         var failures = Directory.GetFiles(here.Session.FailureReports.Folder, "crash-*.txt").Select(File.ReadAllText);
         Assert.True(!failures.Any(), string.Join('\n', failures));
         Assert.True(here.Window.IsVisible);
-        Assert.InRange(GC.GetTotalMemory(forceFullCollection: true), 0, MostMemory);
+        Assert.InRange(GC.GetTotalMemory(forceFullCollection: true), 0, MaxMemory);
         AssertStopAnswers(here);
     }
 
@@ -122,7 +122,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
 
         if (here.Commands.Machine.Status.State is not (MachineState.Offline or MachineState.Ready)) here.Session.StopKeys.PressStop();
         here.Until(() => here.Commands.Prompt.Command is null && !here.Desk.Queue.IsBusy || Again(here));
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static bool Again(Operator here)
@@ -136,14 +136,14 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         here.Enter("CNCDISCONNECT");
         here.Open(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")); // not the copy, which may have been saved in a form that cannot be cut
         here.Enter("TOOLSTART", "0,0", "CNCUNITS", "1", "CNCFEED", "60"); // from a reachable start; inches, slowly: with the current unit and feed the job may end before a busy computer presses the key
-        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowSimulator.Address, "CNCARM", "Stream");
         if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the current settings there may be something to confirm
         var earlier = here.Commands.Machine.Runs.LastRun;
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running); // with the current rapid speed the first segment may be hours away
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
         var run = here.Commands.Machine.Runs.LastRun;
         if (ReferenceEquals(run, earlier)) Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State); // stopped before anything moved
         else Assert.Equal(JobOutcome.Stopped, run!.Result.Outcome);

@@ -32,11 +32,11 @@ public sealed class KeyboardTests(DesktopFixture fixture)
             }
 
             here.Hands.Press(Key.Escape);
-            here.Rest();
+            here.WaitUntilIdle();
             here.Hands.Type("y");
             Assert.Equal("y", here.Window.Model.Command.Line);
             here.Hands.Press(Key.Escape);
-            here.Rest();
+            here.WaitUntilIdle();
         }
     });
 
@@ -50,7 +50,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Hands.Press(key, with);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Contains("Command: " + command, here.History);
     });
@@ -60,7 +60,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     {
         var arm = here.Find<Button>("ArmKey");
         ToolTip.SetIsOpen(arm, true);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(ToolTip.GetIsOpen(arm));
         here.Hands.Press(Key.F8);
 
@@ -80,7 +80,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         button.Click += (_, _) => presses++;
         if (key == Key.Space) here.Hands.Type(" ");
         else here.Hands.Press(key);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal((0, ""), (presses, here.Window.Model.Command.Line));
         here.Click(button);
@@ -100,7 +100,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Until(() => here.Commands.Machine.Connection.Terminal.Lines.Any(line => line.Text.Contains("5.0000", StringComparison.Ordinal)));
 
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("Command", here.Find<PageTabs>("Pages").Current!.Key);
         here.Hands.Type("dist");
         Assert.Equal(("dist", ""), (here.Window.Model.Command.Line, Terminal(here).Line));
@@ -113,7 +113,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Show("Terminal");
         _ = here.Desk.Queue.RunAsync("DIST");
-        here.Rest();
+        here.WaitUntilIdle();
         here.Click(here.Window.Canvas);
         here.Hands.Type("4,5");
 
@@ -149,11 +149,11 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         Assert.True(here.Find<JogPad>("Pad").IsFocused);
         _ = here.Desk.Queue.RunAsync("OPEN");
         here.Until(() => here.Find<UserControl>("FileSheet").IsVisible);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.KeyDown(Key.Left);
         here.Step();
         here.Hands.KeyUp(Key.Left);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(here.Commands.Machine.IsRunning);
         Assert.DoesNotContain(here.History, line => line.Contains("CNCJOG", StringComparison.Ordinal));
@@ -165,7 +165,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         if (sheet == "FileSheet") here.Enter("OPEN");
         else if (sheet == "OptionsSheet") here.Enter("OPTIONS");
         else here.Window.Model.Connect.Open();
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static TerminalModel Terminal(Operator here) => (TerminalModel)here.Find<PageTabs>("Pages").Pages.Single(page => page.Key == "Terminal").Page.DataContext!;

@@ -40,7 +40,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         here.Step();
         AssertInside(here, here.Find<TextBox>("LineBox"), "the command line");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     /// <summary>The canvas takes most of a small screen until the operator opens a panel; the command line shows the last message beside it.</summary>
@@ -58,7 +58,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         here.Enter("ZOOM");
         Assert.Equal(canvas, here.Window.Canvas.Bounds); // points on the canvas keep their positions
         here.Click(here.Find<PromptOptions>("LineOptions").GetVisualDescendants().OfType<Button>().First());
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Null(here.Desk.Prompt.Command);
 
         here.Show("Table");

@@ -31,7 +31,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.True(here.Find<TextBox>("LineBox").IsEffectivelyVisible);
         Assert.Equal("ZO", here.Find<TextBox>("LineBox").Text);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     /// <summary>The menus keep the focus only while they are open.</summary>
@@ -52,7 +52,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         else if (way == "Canvas") here.Click(here.Window.Canvas);
         else if (way == "Entry") here.Click(view.Items.OfType<MenuItem>().First());
         else here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Hands.Type("E");
         here.Hands.Press(Key.F2);
         here.Step();
@@ -61,7 +61,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Equal("E", here.Window.Model.Command.Line);
         Assert.True(here.Find<PageTabs>("Pages").Bounds.Height > 250, "F2 was not heard");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -151,20 +151,20 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Enter("ERASE", "L", "");
-        here.Hands.AskToClose();
-        Assert.Equal(["Save", "Don't save", "Cancel"], Question(here).Answers.Select(answer => answer.Words));
+        here.Hands.RequestClose();
+        Assert.Equal(["Save", "Don't save", "Cancel"], Question(here).Answers.Select(answer => answer.Label));
         Assert.Equal("gasket.dxf has unsaved changes. Save them before closing the window?", here.Find<TextBlock>("QuestionText").Text);
-        for (var i = 0; i < 3; i++) here.Hands.AskToClose();
+        for (var i = 0; i < 3; i++) here.Hands.RequestClose();
 
         Assert.True(here.Window.IsVisible && Question(here).IsOpen);
         here.Hands.Press(Key.Escape);
         here.Step();
         Assert.True(here.Window.IsVisible && !Question(here).IsOpen);
-        here.Hands.AskToClose();
+        here.Hands.RequestClose();
         Assert.True(Question(here).IsOpen, "Cancel was taken for an answer of the next request");
         here.Hands.Press(Key.Escape);
         here.Enter("U");
-        here.Hands.AskToClose();
+        here.Hands.RequestClose();
         Assert.False(here.Window.IsVisible);
     });
 
@@ -181,7 +181,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         {
             here.Open(path);
             here.Enter("ERASE", "L", "");
-            here.Hands.AskToClose();
+            here.Hands.RequestClose();
             here.Hands.Type(answer[..1]);
             here.Hands.Press(Key.Enter);
             here.Until(() => !here.Window.IsVisible);
@@ -203,14 +203,14 @@ public sealed class ShellTests(DesktopFixture fixture)
             here.Enter("ERASE", "L", "");
             Directory.Delete(folder, recursive: true); // the folder it was read from is gone
             File.WriteAllText(folder, "no folder");
-            here.Hands.AskToClose();
+            here.Hands.RequestClose();
             here.Hands.Press(Key.Enter);
-            here.Rest();
+            here.WaitUntilIdle();
 
             Assert.True(here.Window.IsVisible);
             Assert.True(here.Commands.Document.IsEdited);
             Assert.Equal(Engraver.Workbench.Commands.MessageKind.Error, here.Window.Model.Command.History[^1].Kind);
-            here.Hands.AskToClose();
+            here.Hands.RequestClose();
             Assert.True(Question(here).IsOpen);
             File.Delete(folder);
         });
@@ -222,13 +222,13 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Enter("NEW", "", "LINE", "0,0", "10,0", "");
         Assert.True(here.Commands.Document.IsEdited, string.Join('\n', here.History));
-        here.Hands.AskToClose();
+        here.Hands.RequestClose();
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(here.Window.IsVisible && here.Window.Model.Files.Dialog.IsOpen);
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Window.IsVisible && here.Commands.Document.IsEdited);
     });
 
@@ -281,7 +281,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("ERASE", "L", "");
         for (var i = 0; i < 3; i++) here.Hands.Press(Key.Z, RawInputModifiers.Control);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(4, here.Commands.Document.Current.Drawing?.Entities.Count);
         Assert.Contains("Everything has been undone.", here.History);
@@ -293,7 +293,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("FILEDIA", "0", "SAVEAS");
         here.Hands.Press(Key.F7);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal((false, "SAVEAS"), (here.Commands.View.Current.Grid, here.Desk.Prompt.Command));
     });
@@ -303,23 +303,23 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Hands.Press(Key.A, RawInputModifiers.Control);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(4, here.Commands.Document.Current.Selection.Count);
         here.Hands.Type("li");
         here.Hands.Press(Key.A, RawInputModifiers.Control);
         here.Hands.Press(Key.Delete);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("", here.Window.Model.Command.Line);
         Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
         here.Hands.Press(Key.Delete);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.True(here.Commands.Document.Current.Drawing!.Entities.Count == 0, "nothing was erased");
         here.Hands.Press(Key.Z, RawInputModifiers.Control);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Enter("MOVE");
         here.Hands.Press(Key.A, RawInputModifiers.Control);
         here.Hands.Press(Key.Delete);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal("MOVE", here.Desk.Prompt.Command);
         Assert.Contains("4 found, 4 total", here.History);
     });
@@ -333,7 +333,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Click(here.Find<TextBox>("LineBox"));
         here.Hands.Type("MG 1");
         here.Hands.Press(Key.Z, RawInputModifiers.Control);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(3, here.Commands.Document.Current.Drawing!.Entities.Count);
     });
@@ -368,12 +368,12 @@ public sealed class ShellTests(DesktopFixture fixture)
     [Fact]
     public Task Pages_are_made_when_they_are_first_shown() => fixture.WithOperator(here =>
     {
-        var made = here.Window.GetVisualDescendants().OfType<PageTabs>().SelectMany(tabs => tabs.Pages).Where(page => page.IsMade).Select(page => page.Key);
+        var made = here.Window.GetVisualDescendants().OfType<PageTabs>().SelectMany(tabs => tabs.Pages).Where(page => page.IsCreated).Select(page => page.Key);
         Assert.Equal(["Command", "Layers"], made.Order(StringComparer.Ordinal));
 
         here.Show("Job");
 
-        Assert.True(here.Find<PageTabs>("Palettes").Pages.Single(page => page.Key == "Job").IsMade);
+        Assert.True(here.Find<PageTabs>("Palettes").Pages.Single(page => page.Key == "Job").IsCreated);
     });
 
     [Fact]
@@ -381,10 +381,10 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         var grid = here.Commands.View.Current.Grid;
         here.Click(here.Find<ItemsControl>("SwitchList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().Single(button => button.DataContext is StatusSwitch { Name: "GRID" }));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(!grid, here.Commands.View.Current.Grid);
         here.Hands.Press(Key.F7);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(grid, here.Commands.View.Current.Grid);
     });
@@ -525,7 +525,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Enter("ZOOM", "Scale", "0.1");
         var far = here.Commands.View.Current.Height;
         here.Click(here.Find<ItemsControl>("ToolColumn").GetVisualDescendants().OfType<Button>().First(button => button.DataContext is ToolButton { Command: "ZOOM" }));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(here.Commands.View.Current.Height < far / 2);
     });
@@ -550,7 +550,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         var corner = canvas.TranslatePoint(new Point(4, 4), here.Window)!.Value;
         var opposite = canvas.TranslatePoint(new Point(canvas.Bounds.Width - 4, canvas.Bounds.Height - 4), here.Window)!.Value;
         here.Hands.Drag(corner, opposite);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(4, here.Commands.Document.Current.Selection.Count);
         Assert.Contains("4", here.Find<TextBlock>("SummaryText").Text, StringComparison.Ordinal);
@@ -565,16 +565,16 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task A_box_to_the_right_takes_what_is_inside_and_to_the_left_what_it_touches() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Until(() => here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
         var canvas = here.Window.Canvas;
         var middle = here.MiddleOf(canvas);
         var above = new Point(middle.X, canvas.TranslatePoint(new Point(0, 4), here.Window)!.Value.Y);
         var right = new Point(canvas.TranslatePoint(new Point(canvas.Bounds.Width - 4, 0), here.Window)!.Value.X, middle.Y);
         here.Hands.Drag(above, right);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Empty(here.Commands.Document.Current.Selection);
         here.Hands.Drag(right, above);
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.NotEmpty(here.Commands.Document.Current.Selection);
     });
@@ -600,7 +600,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Equal("cncstatus", here.Window.Model.Command.Line);
         here.Hands.Press(Key.Escape);
         goOn.Set();
-        here.Rest();
+        here.WaitUntilIdle();
         here.Commands.Progress.Changed -= Hold;
         File.Delete(file);
 

@@ -35,7 +35,7 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
         var texts = Entry(here, "gasket.dxf").GetVisualDescendants().OfType<TextBlock>().Select(text => text.Text).ToList();
         Assert.Equal(["gasket.dxf", RepositoryFolder.Samples, File.GetLastWriteTime(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")).ToString("yyyy-MM-dd HH:mm", null)], texts);
         here.Click(Entry(here, "gasket.dxf"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
@@ -64,7 +64,7 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
         here.Until(() => here.Window.Model.StartPage.HasSamples);
         here.Step();
         here.Click(here.Find<ItemsControl>("SampleList").GetVisualDescendants().OfType<Button>().First(button => button.Tag is "gasket"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
@@ -91,7 +91,7 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
         recent.Open();
         here.Step();
         here.Click(entries[1]);
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
 
@@ -99,7 +99,7 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
 
     private static void Settle(Operator here)
     {
-        here.Until(() => !here.Window.Model.Recent.IsAsking);
+        here.Until(() => !here.Window.Model.Recent.IsChecking);
         here.Step();
     }
 

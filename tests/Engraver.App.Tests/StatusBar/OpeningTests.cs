@@ -26,7 +26,7 @@ public sealed class OpeningTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Queue.Cancelled.IsCompleted);
         goOn.Set();
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.True(opening.IsCompletedSuccessfully);
         Assert.Same(before, here.Commands.Document.Current);

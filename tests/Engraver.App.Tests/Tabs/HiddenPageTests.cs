@@ -17,9 +17,9 @@ public sealed class HiddenPageTests(DesktopFixture fixture)
         Assert.True(here.Desk.Derived.Current.IsPosted && here.Find<ListBox>("LineList").ItemCount > 100);
         var page = (ProgramModel)here.Find<ListBox>("LineList").DataContext!;
         here.Show("Layers");
-        Assert.False(page.IsSeen);
+        Assert.False(page.IsPageVisible);
         here.Open("paper-001.dxf");
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.False(here.Desk.Derived.Current.IsPosted);
         Assert.Empty(page.Rows);
@@ -31,13 +31,13 @@ public sealed class HiddenPageTests(DesktopFixture fixture)
     public Task Overlays_are_made_when_they_are_shown() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Until(() => here.Window.CanvasSource.IsCurrent && here.Window.Canvas.IsFresh);
-        Assert.False(here.Window.Canvas.Overlay!.Unseen.IsAnyMade);
+        here.Until(() => here.Window.CanvasSource.IsCurrent && here.Window.Canvas.IsUpToDate);
+        Assert.False(here.Window.Canvas.Overlay!.Deferred.IsAnyCreated);
         Assert.True(here.Window.Canvas.Overlay.MoveCount > 0);
 
         here.Commands.View.Change(state => state with { Shown = state.Shown | CanvasLayers.CutPath });
-        here.Until(() => here.Window.Canvas.IsFresh);
-        Assert.True(here.Window.Canvas.Overlay.Unseen.CutPath.IsValueCreated && !here.Window.Canvas.Overlay.Unseen.Contours.IsValueCreated);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
+        Assert.True(here.Window.Canvas.Overlay.Deferred.CutPath.IsValueCreated && !here.Window.Canvas.Overlay.Deferred.Contours.IsValueCreated);
         Assert.Equal(here.Window.Canvas.Overlay.MoveCount, here.Window.Canvas.Overlay.CutPath.Count);
     });
 }

@@ -8,7 +8,7 @@ namespace Engraver.App.Tests.Texts;
 public sealed class TextsTests
 {
     private static readonly string s_app = Path.Combine(RepositoryFolder.Root, "src", "Engraver.App");
-    private static readonly string[] s_spoken = ["Text", "Content", "Header", "ToolTip.Tip", "PlaceholderText", "Title", "AutomationProperties.Name"];
+    private static readonly string[] s_readAloud = ["Text", "Content", "Header", "ToolTip.Tip", "PlaceholderText", "Title", "AutomationProperties.Name"];
 
     private static HashSet<string> Names => [.. XDocument.Load(Path.Combine(s_app, "Texts", "Texts.resx")).Root!.Elements("data").Select(data => data.Attribute("name")!.Value)];
 
@@ -18,7 +18,7 @@ public sealed class TextsTests
         var literal = from file in Directory.EnumerateFiles(s_app, "*.axaml", SearchOption.AllDirectories)
                       from element in XDocument.Load(file).Descendants()
                       from attribute in element.Attributes()
-                      where s_spoken.Contains(attribute.Name.LocalName) && !attribute.Value.StartsWith('{')
+                      where s_readAloud.Contains(attribute.Name.LocalName) && !attribute.Value.StartsWith('{')
                       select $"{Path.GetFileName(file)}: {attribute}";
 
         Assert.Empty(literal);
@@ -48,7 +48,7 @@ public sealed class TextsTests
         var icons = File.ReadAllText(Path.Combine(s_app, "Theme", "Icons.axaml"));
         Assert.All(Enum.GetValues<Engraver.Workbench.Machines.MachineState>(), state =>
         {
-            Assert.Equal(state.Word(), state.Said());
+            Assert.Equal(state.Token(), state.DisplayText());
             Assert.Contains($"\"Shape.{state}\"", icons, StringComparison.Ordinal);
         });
         Assert.All(Enum.GetNames<Engraver.Workbench.Machines.Alarms.AlarmState>(), state => Assert.Contains("AlarmState." + state, names));

@@ -52,14 +52,14 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
         var weak = from theme in s_themes
                    from ground in grounds.Split(' ')
                    let contrast = Contrast(ColourOf(text, theme), ColourOf(ground, theme))
-                   where contrast < LeastContrast(theme)
+                   where contrast < MinContrast(theme)
                    select FormattableString.Invariant($"{text} on {ground} in {theme}: {contrast:0.00}");
         Assert.Empty(weak);
     });
 
     [Fact]
     public Task The_word_simulation_stands_out_from_its_ground() => fixture.WithOperator(here =>
-        Assert.All(s_themes, theme => Assert.True(Contrast(Colors.White, ColourOf("SimulationBrush", theme)) >= LeastContrast(theme), theme.ToString())));
+        Assert.All(s_themes, theme => Assert.True(Contrast(Colors.White, ColourOf("SimulationBrush", theme)) >= MinContrast(theme), theme.ToString())));
 
     /// <summary>A disabled key is readable and distinguishable from an enabled one.</summary>
     [Theory]
@@ -70,7 +70,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     public Task What_cannot_be_used_is_read_in_high_contrast_and_told_from_the_rest(string text) => fixture.WithOperator(here =>
     {
         var theme = DesktopThemes.HighContrast;
-        Assert.True(Contrast(ColourOf(text, theme), ColourOf("StripBrush", theme)) >= LeastContrast(theme));
+        Assert.True(Contrast(ColourOf(text, theme), ColourOf("StripBrush", theme)) >= MinContrast(theme));
         Assert.True(Contrast(ColourOf(text, theme), ColourOf("TextBrush", theme)) >= 2.0);
         Assert.True(Contrast(ColourOf("KeyBorderBrush", theme), ColourOf("LineBrush", theme)) >= 2.0);
     });
@@ -97,7 +97,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     public Task High_contrast_is_chosen_by_theme_and_shown() => fixture.WithOperator(here =>
     {
         here.Enter("THEME", "HC");
-        here.Until(() => here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
 
         Assert.Equal(DesktopThemes.HighContrast, Application.Current!.ActualThemeVariant);
         Assert.Equal(Colors.Black, ((ISolidColorBrush)here.Find<Border>("CanvasPlace").Background!).Color);
@@ -114,7 +114,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
         }
     });
 
-    private static double LeastContrast(ThemeVariant theme) => theme == DesktopThemes.HighContrast ? 7.0 : 4.5;
+    private static double MinContrast(ThemeVariant theme) => theme == DesktopThemes.HighContrast ? 7.0 : 4.5;
 
     private static Color ColourOf(string name, ThemeVariant theme) => Application.Current!.TryGetResource(name, theme, out var found) ? ((ISolidColorBrush)found!).Color : throw new KeyNotFoundException(name);
 

@@ -17,7 +17,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         var rows = Rows(here);
 
         Assert.Equal(["traj0_path", "traj1_path"], rows.Select(row => row.Name));
-        Assert.Equal(All(here).Select(one => (one.Curve.Points.ToString(System.Globalization.CultureInfo.InvariantCulture), one.Curve.VerifiedBound <= 0.001)), rows.Select(row => (row.Points, !row.IsBeyond)));
+        Assert.Equal(All(here).Select(one => (one.Curve.Points.ToString(System.Globalization.CultureInfo.InvariantCulture), one.Curve.VerifiedBound <= 0.001)), rows.Select(row => (row.Points, !row.ExceedsTolerance)));
         Type(here, "NameBox", "ring");
         Assert.Equal("ring", All(here)[0].Name);
         Type(here, "ZBox", "-0.25");
@@ -25,7 +25,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         Type(here, "ErrorBox", "0.02");
         Assert.InRange(All(here)[0].Curve.VerifiedBound, 0.001, 0.02);
         here.Click(here.Find<Button>("DeleteOneButton"));
-        here.Rest();
+        here.WaitUntilIdle();
         Assert.Equal(["traj1_path"], Rows(here).Select(row => row.Name));
         for (var step = 0; step < 4; step++) Run(here, "U");
         Assert.Equal(("traj0_path", 0.0), (Rows(here)[0].Name, All(here)[0].Curve.Z));
@@ -65,7 +65,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         Assert.Equal([false, true], Rows(here).Select(row => row.IsStale));
         here.Step();
         here.Click(here.Find<Button>("UpdateTrajectoriesButton"));
-        here.Rest();
+        here.WaitUntilIdle();
 
         Assert.Equal([false, false], Rows(here).Select(row => row.IsStale));
         Assert.Equal(["traj0_path", "traj1_path"], Rows(here).Select(row => row.Name));
@@ -83,7 +83,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
     private static void Run(Operator here, params string[] inputs)
     {
         _ = here.Desk.Queue.RunAsync(inputs);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 
     private static IReadOnlyList<DocumentTrajectory> All(Operator here) => here.Commands.Document.Current.Sidecar.Trajectories.All;
@@ -98,6 +98,6 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         field.SelectAll();
         here.Hands.Type(text);
         here.Hands.Press(Key.Enter);
-        here.Rest();
+        here.WaitUntilIdle();
     }
 }

@@ -34,11 +34,11 @@ public class PseudoLanguageTests
         try
         {
             using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null);
-            var root = EngraverCommandLine.Build(streams, new GlobalOptions(), new MachineInHand());
+            var root = EngraverCommandLine.Build(streams, new GlobalOptions(), new ConnectedMachine());
             var described = Symbols(root).Where(symbol => symbol is not (HelpOption or VersionOption)).ToList();
 
             Assert.InRange(described.Count, 80, 1000);
-            Assert.All(described, symbol => Assert.True(symbol.Description is { Length: > 0 } text && PseudoLanguage.Unspoken(text).Count == 0, $"{symbol.Name}: {symbol.Description}"));
+            Assert.All(described, symbol => Assert.True(symbol.Description is { Length: > 0 } text && PseudoLanguage.UnmarkedWords(text).Count == 0, $"{symbol.Name}: {symbol.Description}"));
         }
         finally
         {
@@ -75,7 +75,7 @@ public class PseudoLanguageTests
         Assert.DoesNotContain((run.Out + run.Error).Split('\n'), IsForeign);
     }
 
-    private static bool IsForeign(string line) => PseudoLanguage.Unspoken(line).Except(s_stays).Any();
+    private static bool IsForeign(string line) => PseudoLanguage.UnmarkedWords(line).Except(s_stays).Any();
 
     private static IEnumerable<Symbol> Symbols(Command command) => [command, .. command.Options, .. command.Arguments, .. command.Subcommands.SelectMany(Symbols)];
 }

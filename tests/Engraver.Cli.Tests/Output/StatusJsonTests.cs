@@ -25,8 +25,8 @@ public class StatusJsonTests
     {
         var profile = MachineProfile.Default with
         {
-            Inputs = new LineNames([new(1, "door"), new(2, "1"), new(3, "Door")]),
-            Outputs = new LineNames([new(2, "coolant")]),
+            Inputs = new IoLineNames([new(1, "door"), new(2, "1"), new(3, "Door")]),
+            Outputs = new IoLineNames([new(2, "coolant")]),
         };
         var status = StatusJson.From(s_ready, null, profile);
 

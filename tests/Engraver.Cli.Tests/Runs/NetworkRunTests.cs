@@ -60,7 +60,7 @@ public class NetworkRunTests
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
-        await using var proxy = new HarmingProxy(place.Port, line => line == "LI 100000,0" ? "LI 1000000,0" : line);
+        await using var proxy = new CorruptingProxy(place.Port, line => line == "LI 100000,0" ? "LI 1000000,0" : line);
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));

@@ -39,8 +39,8 @@ public sealed class OtherCountsTests : IDisposable
     [Fact]
     public async Task A_homing_counts_only_for_the_counts_by_which_it_was_made()
     {
-        await using var machine = new HomedMachine(732_002);
-        var (right, wrong) = (_folder.WithFile("right.json", HomedMachine.Profile()), _folder.WithFile("wrong.json", HomedMachine.Profile(500)));
+        await using var machine = new HomedSimulator(732_002);
+        var (right, wrong) = (_folder.WithFile("right.json", HomedSimulator.Profile()), _folder.WithFile("wrong.json", HomedSimulator.Profile(500)));
         string[] at = ["--connect", await machine.AddressAsync(_limit.Token)];
         await DoneAsync(["home", "--machine", right, .. at]);
         await DoneAsync(["zero", "--machine", right, .. at]);

@@ -18,7 +18,7 @@ public class LineQueueTests
 
         var said = Task.Run(() =>
         {
-            foreach (var line in (string[])["held", "moved", "feed"]) queue.Say(line);
+            foreach (var line in (string[])["held", "moved", "feed"]) queue.Enqueue(line);
         });
         await said.WaitAsync(TimeSpan.FromMinutes(1));
         Assert.Empty(written);

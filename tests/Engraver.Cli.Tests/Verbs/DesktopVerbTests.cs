@@ -17,7 +17,7 @@ public sealed class DesktopVerbTests
         var executable = Path.Combine(desktop, OperatingSystem.IsWindows() ? "engraver-desktop.exe" : "engraver-desktop");
         foreach (var file in (string[])[executable, Path.Combine(desktop, "engraver-desktop.dll")]) File.WriteAllText(file, "");
 
-        var start = DesktopProgram.Find(own + Path.DirectorySeparatorChar, byRuntime ? "/usr/bin/dotnet" : Path.Combine(own, "engraver"))!.Start(["part.dxf"]);
+        var start = DesktopExecutable.Find(own + Path.DirectorySeparatorChar, byRuntime ? "/usr/bin/dotnet" : Path.Combine(own, "engraver"))!.Start(["part.dxf"]);
 
         Assert.Equal(byRuntime ? "/usr/bin/dotnet" : executable, start.FileName);
         Assert.Equal(byRuntime ? [Path.Combine(desktop, "engraver-desktop.dll"), "part.dxf"] : ["part.dxf"], start.ArgumentList);
@@ -28,11 +28,11 @@ public sealed class DesktopVerbTests
     {
         using var folder = new TemporaryFolder();
         var own = Directory.CreateDirectory(folder.PathOf("engraver")).FullName;
-        Assert.Null(DesktopProgram.Find(own, Path.Combine(own, "engraver")));
+        Assert.Null(DesktopExecutable.Find(own, Path.Combine(own, "engraver")));
 
         File.WriteAllText(Path.Combine(own, OperatingSystem.IsWindows() ? "engraver-desktop.exe" : "engraver-desktop"), "");
 
-        Assert.Null(DesktopProgram.Find(own, Path.Combine(own, "engraver"))!.Runtime);
+        Assert.Null(DesktopExecutable.Find(own, Path.Combine(own, "engraver"))!.Runtime);
     }
 
     [Fact]

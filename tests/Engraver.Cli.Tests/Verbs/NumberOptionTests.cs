@@ -51,9 +51,9 @@ public class NumberOptionTests
     [Fact]
     public void Numbers_of_posts_are_read_strictly()
     {
-        var numbers = PostTable.All.SelectMany(entry => entry.Post.Options).Where(option => option.Takes("1") && !option.Takes("x")).ToList();
+        var numbers = PostTable.All.SelectMany(entry => entry.Post.Options).Where(option => option.IsValid("1") && !option.IsValid("x")).ToList();
         Assert.NotEmpty(numbers);
-        foreach (var option in numbers) Assert.All(s_unreadable.Where(word => word.Length > 0), word => Assert.False(option.Takes(word), $"{option.Name} takes {word}"));
+        foreach (var option in numbers) Assert.All(s_unreadable.Where(word => word.Length > 0), word => Assert.False(option.IsValid(word), $"{option.Name} takes {word}"));
     }
 
     private static bool Refuses(string verb, string option, params string[] words) =>
@@ -69,5 +69,5 @@ public class NumberOptionTests
         foreach (var (words, option) in command.Subcommands.SelectMany(verb => All(verb, path.Length == 0 ? verb.Name : $"{path} {verb.Name}"))) yield return (words, option);
     }
 
-    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new MachineInHand());
+    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectedMachine());
 }

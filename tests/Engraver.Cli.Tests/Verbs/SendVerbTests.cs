@@ -61,7 +61,7 @@ public class SendVerbTests
         File.WriteAllText(folder.PathOf("heard.nc"), "an older program");
         var receiving = EngraverProgram.RunAsync(["receive", "--from", $"serial://{cable.Device}?baud=115200", "-o", folder.PathOf("heard.nc"), "--silence", "600", "--json", "--verbose"], streams, stop.Token);
         await told.Written.WaitAsync(s_patience);
-        cable.Say("G1 X1\r\n");
+        cable.Write("G1 X1\r\n");
         await told.Second.WaitAsync(s_patience); // The line was received.
         await stop.CancelAsync();
         var code = await receiving.WaitAsync(s_patience);
@@ -79,7 +79,7 @@ public class SendVerbTests
         using var stop = new CancellationTokenSource();
         File.WriteAllLines(folder.PathOf("long.nc"), Enumerable.Repeat("G1 X1 Y1", 5000));
         var sending = CliRun.RunAsync(stop.Token, "send", folder.PathOf("long.nc"), "--to", $"serial://{cable.Device}?baud=19200");
-        await Task.Run(() => cable.Hear(200)).WaitAsync(s_patience);
+        await Task.Run(() => cable.Read(200)).WaitAsync(s_patience);
         await stop.CancelAsync();
         var run = await sending.WaitAsync(s_patience);
 
@@ -141,12 +141,12 @@ public class SendVerbTests
     /// <summary>Forwards the sender's data to the receiver, which pauses it from time to time.</summary>
     private static void Relay(PseudoTerminalPair from, PseudoTerminalPair to)
     {
-        for (var turn = 0; from.HearSome(64) is { Length: > 0 } some; turn++)
+        for (var turn = 0; from.ReadSome(64) is { Length: > 0 } some; turn++)
         {
-            to.Say(some);
+            to.Write(some);
             if (turn % 5 != 0) continue;
-            from.Say("\u0093"); // XOFF with the bit of an even parity
-            from.Say("\u0011");
+            from.Write("\u0093"); // XOFF with the bit of an even parity
+            from.Write("\u0011");
         }
     }
 

@@ -10,15 +10,15 @@ public sealed class UnhomedMachineTests : IDisposable
     [Fact]
     public async Task It_is_jogged_no_faster_than_it_searches_its_switches_and_that_no_limit_stops_it_is_said()
     {
-        await using var machine = new HomedMachine(731_001);
-        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+        await using var machine = new HomedSimulator(731_001);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedSimulator.Profile())];
 
         var slow = await CliRun.RunAsync(["jog", "--x", "20", .. at]);
         var asked = await CliRun.RunAsync(["jog", "--y", "-5", "--feed", "3000", .. at]);
 
         Assert.All([slow, asked], run => Assert.Equal(ExitCode.Done, run.ExitCode));
         Assert.All([slow, asked], run => Assert.Contains("The machine is not homed, so the soft limits are not active and only the limit switches stop the machine. The speed is limited to 480 mm/min", run.Error, StringComparison.Ordinal));
-        Assert.InRange(machine.FastestFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
+        Assert.InRange(machine.MaxStepFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
         var beyond = await CliRun.RunAsync(["jog", "--x", "-500", .. at]);
         Assert.Equal(ExitCode.DrawingError, beyond.ExitCode);
         Assert.Contains("500 mm is longer than the travel of axis X, 300 mm", beyond.Error, StringComparison.Ordinal);
@@ -27,20 +27,20 @@ public sealed class UnhomedMachineTests : IDisposable
         var rows = machine.Controller.Record.Count;
         var fast = await CliRun.RunAsync(["jog", "--x", "20", .. at]);
         Assert.DoesNotContain("not homed", fast.Error, StringComparison.Ordinal);
-        Assert.InRange(machine.FastestFrom(rows), 45, 50);
+        Assert.InRange(machine.MaxStepFrom(rows), 45, 50);
     }
 
     [Fact]
     public async Task A_held_jog_is_as_slow()
     {
-        await using var machine = new HomedMachine(731_002);
-        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+        await using var machine = new HomedSimulator(731_002);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedSimulator.Profile())];
 
         using var nobody = new SilentReader();
         var held = await CliRun.Typing(nobody, _limit.Token, ["jog", "--hold", "X-", "--feed", "3000", .. at]); // into the limit switch, 21 mm away
 
         Assert.Contains("limited to 480 mm/min", held.Error, StringComparison.Ordinal);
-        Assert.InRange(machine.FastestFrom(0), 7, 8);
+        Assert.InRange(machine.MaxStepFrom(0), 7, 8);
     }
 
     /// <summary>Regression: <c>zero</c> stored an unusable origin, reported that its position is unknown, and deleted the origins that homing would have
@@ -48,8 +48,8 @@ public sealed class UnhomedMachineTests : IDisposable
     [Fact]
     public async Task An_origin_is_not_set_before_the_homing_and_what_to_do_is_told_in_verbs()
     {
-        await using var machine = new HomedMachine(731_003);
-        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+        await using var machine = new HomedSimulator(731_003);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedSimulator.Profile())];
 
         var status = await CliRun.RunAsync(["status", .. at]);
         var zero = await CliRun.RunAsync(["zero", "--json", .. at]);
@@ -70,8 +70,8 @@ public sealed class UnhomedMachineTests : IDisposable
     [Fact]
     public async Task Refusals_name_the_axes_as_the_operator_does()
     {
-        await using var machine = new HomedMachine(731_004);
-        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+        await using var machine = new HomedSimulator(731_004);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedSimulator.Profile())];
         await CliRun.RunAsync(["home", .. at]);
 
         var far = await CliRun.RunAsync(["goto", "3,201", "--machine-position", .. at]);

@@ -25,7 +25,7 @@ public partial class DiagnosticTableTests
 
     [Fact]
     public void The_page_of_diagnostics_is_what_the_table_says() =>
-        GoldenFile.Check(Path.Combine(RepositoryFolder.Root, "docs", "diagnostics.md"), DiagnosticTable.ToMarkdown(DxfReader.TypeFates));
+        GoldenFile.Check(Path.Combine(RepositoryFolder.Root, "docs", "diagnostics.md"), DiagnosticTable.ToMarkdown(DxfReader.TypeHandling));
 
     [GeneratedRegex("^[A-Z]{3}[0-9]{4}$")]
     private static partial Regex IdForm();

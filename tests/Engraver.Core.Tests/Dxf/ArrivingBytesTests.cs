@@ -17,13 +17,13 @@ public class ArrivingBytesTests
     public void It_is_the_same_drawing(string form)
     {
         var file = FileOf(form);
-        var whole = Reading.Of(file);
+        var whole = DxfReading.Of(file);
         foreach (var more in new[] { 0, 1, 7, 4096, 1 << 20 })
         {
-            var arriving = new SlowBytes(file, () => more);
+            var arriving = new SlowFileBytes(file, () => more);
             var drawing = DxfReader.Read(arriving, "test.dxf", DxfReadOptions.Default, CancellationToken.None);
 
-            Assert.Equal(Reading.Fingerprint(whole), Reading.Fingerprint(drawing));
+            Assert.Equal(DxfReading.Fingerprint(whole), DxfReading.Fingerprint(drawing));
             Assert.Equal(whole.Diagnostics.Select(found => found.Message), drawing.Diagnostics.Select(found => found.Message));
             Assert.Equal(whole.Bytes, drawing.Bytes);
         }
@@ -33,7 +33,7 @@ public class ArrivingBytesTests
     public void A_usual_file_is_never_waited_for_as_a_whole()
     {
         var file = FileOf("LF");
-        var arriving = new SlowBytes(file, () => 0);
+        var arriving = new SlowFileBytes(file, () => 0);
         DxfReader.Read(arriving, "test.dxf", DxfReadOptions.Default, CancellationToken.None);
 
         Assert.InRange(arriving.LongestWait, 1, 4096);
@@ -45,7 +45,7 @@ public class ArrivingBytesTests
     [InlineData(10_000)]
     public void What_cannot_be_read_to_its_end_is_no_drawing(int readable)
     {
-        var arriving = new SlowBytes(FileOf("LF"), () => 100) { Readable = readable };
+        var arriving = new SlowFileBytes(FileOf("LF"), () => 100) { Readable = readable };
         Assert.Equal("the disk is broken", Assert.Throws<IOException>(() => DxfReader.Read(arriving, "test.dxf", DxfReadOptions.Default, CancellationToken.None)).Message);
     }
 

@@ -30,7 +30,7 @@ public class ColourTests
     public void Entities_have_an_index_a_true_colour_or_that_of_their_layer(bool binary)
     {
         var text = Text([], [.. Line("RED"), .. Line("RED", (62, 4)), .. Line("RED", (62, 4), (420, 0xFF8000)), .. Line("TRUE", (62, 256)), .. Line("RED", (62, 0))]);
-        var drawing = Reading.Of(binary ? text.ToBinary(oneByteCodes: false) : text.ToAscii());
+        var drawing = DxfReading.Of(binary ? text.ToBinary(oneByteCodes: false) : text.ToAscii());
 
         Assert.Empty(drawing.Diagnostics);
         Assert.Equal([1, 4, null, null, 7], Colours(drawing).Select(colour => colour.Index));
@@ -85,7 +85,7 @@ public class ColourTests
     private static DxfText Text((int, object)[] blocks, (int, object)[] entities) =>
         new DxfText().Header("AC1018", 4).Section("TABLES", s_layers).Section("BLOCKS", blocks).Section("ENTITIES", entities).End();
 
-    private static Drawing Drawing((int, object)[] blocks, params (int, object)[] entities) => Reading.Of(Text(blocks, entities));
+    private static Drawing Drawing((int, object)[] blocks, params (int, object)[] entities) => DxfReading.Of(Text(blocks, entities));
 
     private static IEnumerable<int?> Indices((int, object)[] blocks, (int, object)[] entities) => Colours(Drawing(blocks, entities)).Select(colour => colour.Index);
 

@@ -13,7 +13,7 @@ public class CorpusTests
 {
     /// <summary>18 meshes among the polylines, and six entities of types that are unknown to current readers (3DLINE, REPEAT, ENDREP) or contain no curve
     /// (REGION).</summary>
-    private const int MostRefused = 24;
+    private const int MaxRefused = 24;
 
     private const double Tolerance = 1e-6;
 
@@ -31,7 +31,7 @@ public class CorpusTests
         var corpus = RepositoryFolder.Corpus!;
         foreach (var path in Directory.EnumerateFiles(corpus, "*", SearchOption.AllDirectories).Where(IsDxf))
         {
-            var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
+            var balance = DxfReading.Of(File.ReadAllBytes(path)).Balance;
             Assert.True(balance.Read == balance.Cut + balance.Construction + balance.Refused.Count, path);
         }
     }
@@ -43,7 +43,7 @@ public class CorpusTests
         var lost = new List<string>();
         foreach (var path in (string[])[.. Directory.EnumerateFiles(RepositoryFolder.Corpus!, "*", SearchOption.AllDirectories).Where(IsDxf), .. Directory.EnumerateFiles(RepositoryFolder.Samples, "*.dxf")])
         {
-            var drawing = Reading.Of(File.ReadAllBytes(path), new DxfReadOptions(Cut: (CutChoice)31));
+            var drawing = DxfReading.Of(File.ReadAllBytes(path), new DxfReadOptions(Cut: (CutChoice)31));
             lost.AddRange(drawing.Diagnostics.Where(finding => finding.Id is "DXF0059" or "DXF0060").Select(finding => $"{Path.GetFileName(path)}: {finding.Message}"));
         }
 
@@ -60,7 +60,7 @@ public class CorpusTests
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Where(IsDxf).Order(StringComparer.Ordinal))
         {
             var file = File.ReadAllBytes(path);
-            called.AddRange(Reading.Of(file).Diagnostics.Where(finding => rules.Contains(finding.Id)).Select(finding => $"{Path.GetFileName(path)}: {finding.Message}"));
+            called.AddRange(DxfReading.Of(file).Diagnostics.Where(finding => rules.Contains(finding.Id)).Select(finding => $"{Path.GetFileName(path)}: {finding.Message}"));
             if (file.Length < LargestForSecondReading && SecondDamageOf(file) is { } damage) called.Add($"{Path.GetFileName(path)}: second reading: {damage}");
         }
 
@@ -93,7 +93,7 @@ public class CorpusTests
             compared++;
             var name = record.GetProperty("file").GetString()!;
             if (Repaired.Any(known => name.EndsWith(known, StringComparison.Ordinal))) continue;
-            if (Difference(DrawingSummary.From(Reading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
+            if (Difference(DrawingSummary.From(DxfReading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
         }
 
         Assert.True(compared > 350, $"only {compared} drawings compared");
@@ -108,13 +108,13 @@ public class CorpusTests
         var (read, refused) = (0, new List<string>());
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Where(IsDxf))
         {
-            var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
+            var balance = DxfReading.Of(File.ReadAllBytes(path)).Balance;
             read += balance.Read;
             refused.AddRange(balance.Refused.Select(one => $"{one.Type} {one.DiagnosticId}"));
         }
 
         var counted = string.Join(", ", refused.GroupBy(one => one).OrderByDescending(group => group.Count()).Select(group => $"{group.Count()} {group.Key}"));
-        Assert.True(read > 12_000 && refused.Count <= MostRefused, $"of {read} entities {refused.Count} were refused: {counted}");
+        Assert.True(read > 12_000 && refused.Count <= MaxRefused, $"of {read} entities {refused.Count} were refused: {counted}");
     }
 
     private static bool IsDxf(string path) => path.EndsWith(".dxf", StringComparison.OrdinalIgnoreCase);

@@ -29,13 +29,13 @@ public class CurveTests
         var drawing = Arc(45.0, 45.0);
 
         Assert.Equal((1, 0), (drawing.Entities.Count, drawing.Parts.Count));
-        Assert.Contains("DXF0010", Reading.Ids(drawing));
+        Assert.Contains("DXF0010", DxfReading.Ids(drawing));
     }
 
     [Fact]
     public void A_downward_extrusion_mirrors_x_exactly_and_turns_the_sense_of_an_arc()
     {
-        var drawing = Reading.Entities((0, "ARC"), (10, 20), (20, 5), (40, 2), (50, 0), (51, 90), (230, -1));
+        var drawing = DxfReading.Entities((0, "ARC"), (10, 20), (20, 5), (40, 2), (50, 0), (51, 90), (230, -1));
         var arc = drawing.Parts[0];
 
         Assert.Equal((-20.0, 5.0, 2.0, 180.0, -90.0), (arc.A, arc.B, arc.D, arc.E, arc.F));
@@ -44,7 +44,7 @@ public class CurveTests
     [Fact]
     public void Straight_parts_of_a_tilted_polyline_are_exact()
     {
-        var drawing = Reading.Entities((0, "LWPOLYLINE"), (90, 2), (10, 0), (20, 0), (10, 10), (20, 0), (210, 1), (220, 0), (230, 0));
+        var drawing = DxfReading.Entities((0, "LWPOLYLINE"), (90, 2), (10, 0), (20, 0), (10, 10), (20, 0), (210, 1), (220, 0), (230, 0));
         var line = drawing.Parts[0];
 
         Assert.Equal(10.0, line.SpaceLength, 1e-12);
@@ -56,11 +56,11 @@ public class CurveTests
     {
         (int, object)[] vertices = [(10, 0), (20, 0), (10, 10), (20, 0), (42, 1)];
 
-        var open = Reading.Entities([(0, "LWPOLYLINE"), (70, 0), .. vertices]);
-        var closed = Reading.Entities([(0, "LWPOLYLINE"), (70, 1), .. vertices]);
+        var open = DxfReading.Entities([(0, "LWPOLYLINE"), (70, 0), .. vertices]);
+        var closed = DxfReading.Entities([(0, "LWPOLYLINE"), (70, 1), .. vertices]);
 
-        Assert.Equal("Line", string.Join(' ', Reading.Parts(open).Select(part => part.Kind)));
-        Assert.Equal("Line Arc", string.Join(' ', Reading.Parts(closed).Select(part => part.Kind)));
+        Assert.Equal("Line", string.Join(' ', DxfReading.Parts(open).Select(part => part.Kind)));
+        Assert.Equal("Line Arc", string.Join(' ', DxfReading.Parts(closed).Select(part => part.Kind)));
         Assert.True(closed.Entities[0].Closed);
         Assert.Equal(5.0 * Math.PI, closed.Parts[1].SpaceLength, 1e-12);
     }
@@ -68,7 +68,7 @@ public class CurveTests
     [Fact]
     public void Vertices_on_one_spot_have_no_part_between_them()
     {
-        var drawing = Reading.Entities((0, "LWPOLYLINE"), (70, 1), (10, 0), (20, 0), (42, 1), (10, 0), (20, 0), (10, 5), (20, 0), (10, 0), (20, 0));
+        var drawing = DxfReading.Entities((0, "LWPOLYLINE"), (70, 1), (10, 0), (20, 0), (42, 1), (10, 0), (20, 0), (10, 5), (20, 0), (10, 0), (20, 0));
 
         Assert.Equal(2, drawing.Parts.Count);
     }
@@ -76,7 +76,7 @@ public class CurveTests
     [Fact]
     public void A_polyline_in_space_keeps_z_and_ignores_bulges()
     {
-        var drawing = Reading.Entities(
+        var drawing = DxfReading.Entities(
             (0, "POLYLINE"), (66, 1), (70, 8), (0, "VERTEX"), (10, 0), (20, 0), (30, 0), (42, 1), (0, "VERTEX"), (10, 3), (20, 0), (30, 4), (0, "SEQEND"));
 
         Assert.Equal(5.0, drawing.Parts[0].SpaceLength, 1e-12);
@@ -86,7 +86,7 @@ public class CurveTests
     [Fact]
     public void A_flat_polyline_lies_at_its_elevation_and_leaves_out_the_frame_of_a_spline_fit()
     {
-        var drawing = Reading.Entities(
+        var drawing = DxfReading.Entities(
             (0, "POLYLINE"), (70, 4), (10, 0), (20, 0), (30, 7), (0, "VERTEX"), (10, 0), (20, 0), (0, "VERTEX"), (10, 99), (20, 99), (70, 16), (0, "VERTEX"), (10, 3), (20, 4), (70, 8), (0, "SEQEND"));
 
         Assert.Equal((1, 5.0, 7.0), (drawing.Parts.Count, drawing.Parts[0].SpaceLength, drawing.Parts[0].C));
@@ -97,14 +97,14 @@ public class CurveTests
         Prop.ForAll(ArbMap.Default.ArbFor<NormalFloat>(), ArbMap.Default.ArbFor<NormalFloat>(), (x, b) =>
         {
             var (endX, bulge) = (1.0 + Math.Abs(x.Get % 1e3), b.Get % 1e3);
-            var segment = Reading.Entities((0, "LWPOLYLINE"), (10, 0.0), (20, 2.0), (42, bulge), (10, endX), (20, 0.0)).Parts[0].InPlan();
+            var segment = DxfReading.Entities((0, "LWPOLYLINE"), (10, 0.0), (20, 2.0), (42, bulge), (10, endX), (20, 0.0)).Parts[0].InPlan();
             return segment.Start.IsNear(new Point2D(0.0, 2.0), 1e-6 * endX) && segment.End.IsNear(new Point2D(endX, 0.0), 1e-6 * endX);
         }).QuickCheckThrowOnFailure();
 
     [Fact]
     public void Paper_space_and_what_belongs_to_it_is_not_read()
     {
-        var drawing = Reading.Entities((0, "LINE"), (67, 1), (10, 0), (20, 0), (11, 1), (21, 0), (0, "POLYLINE"), (67, 1), (0, "VERTEX"), (10, 0), (20, 0), (0, "SEQEND"));
+        var drawing = DxfReading.Entities((0, "LINE"), (67, 1), (10, 0), (20, 0), (11, 1), (21, 0), (0, "POLYLINE"), (67, 1), (0, "VERTEX"), (10, 0), (20, 0), (0, "SEQEND"));
 
         Assert.Equal(0, drawing.Balance.Read);
     }
@@ -112,12 +112,12 @@ public class CurveTests
     [Fact]
     public void The_order_of_the_codes_does_not_matter()
     {
-        var drawing = Reading.Entities((0, "LINE"), (31, 6), (21, 5), (11, 4), (30, 3), (20, 2), (10, 1), (5, "ff"), (8, "X"));
+        var drawing = DxfReading.Entities((0, "LINE"), (31, 6), (21, 5), (11, 4), (30, 3), (20, 2), (10, 1), (5, "ff"), (8, "X"));
         var line = drawing.Parts[0];
 
         Assert.Equal((1.0, 2.0, 3.0, 4.0, 5.0, 6.0), (line.A, line.B, line.C, line.D, line.E, line.F));
         Assert.Equal("FF", drawing.SourceOf(0).Handle);
     }
 
-    private static Drawing Arc(double start, double end) => Reading.Entities((0, "ARC"), (10, 0), (20, 0), (40, 10), (50, start), (51, end));
+    private static Drawing Arc(double start, double end) => DxfReading.Entities((0, "ARC"), (10, 0), (20, 0), (40, 10), (50, start), (51, end));
 }

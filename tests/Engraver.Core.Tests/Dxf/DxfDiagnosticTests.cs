@@ -86,7 +86,7 @@ public class DxfDiagnosticTests
     [InlineData("CONTINUOUS", "BYLAYER", "off", 0)]
     public void A_curve_with_gaps_in_its_linetype_says_that_they_are_cut_through(string ofLayer, string ofCurve, string layer, int findings)
     {
-        var drawing = Reading.Of(Dashed(ofLayer, ofCurve, [(0, "LINE"), (8, layer), (6, ofCurve), (10, 0), (20, 0), (11, 1), (21, 0), (0, "LINE"), (8, layer), (10, 5), (20, 0), (11, 6), (21, 0)]));
+        var drawing = DxfReading.Of(Dashed(ofLayer, ofCurve, [(0, "LINE"), (8, layer), (6, ofCurve), (10, 0), (20, 0), (11, 1), (21, 0), (0, "LINE"), (8, layer), (10, 5), (20, 0), (11, 6), (21, 0)]));
 
         Assert.Equal(2, drawing.Entities.Count);
         Assert.Equal(findings, drawing.Diagnostics.Count(finding => finding.Id == "DXF0063"));
@@ -97,14 +97,14 @@ public class DxfDiagnosticTests
     [InlineData("\r\r\n")]
     [InlineData("\r")]
     public void A_binary_file_whose_line_ends_were_converted_is_named(string lineEnd) =>
-        Assert.Equal("DXF0061", Assert.Single(Reading.Of([.. "AutoCAD Binary DXF"u8, .. Encoding.ASCII.GetBytes(lineEnd), 0x1A, 0, 0, 0, .. "SECTION"u8, 0]).Diagnostics).Id);
+        Assert.Equal("DXF0061", Assert.Single(DxfReading.Of([.. "AutoCAD Binary DXF"u8, .. Encoding.ASCII.GetBytes(lineEnd), 0x1A, 0, 0, 0, .. "SECTION"u8, 0]).Diagnostics).Id);
 
     [Fact]
     public void Paper_space_is_told_only_where_model_space_is_empty()
     {
-        Assert.Contains("2 entities", Assert.Single(Reading.Of(Entities([.. Line, (67, 1), .. Line, (67, 1), (0, "VIEWPORT"), (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062").Message, StringComparison.Ordinal);
-        Assert.DoesNotContain(Reading.Of(Entities([.. Line, .. Line, (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062");
-        Assert.DoesNotContain(Reading.Of(Entities((0, "VIEWPORT"), (67, 1))).Diagnostics, finding => finding.Id == "DXF0062");
+        Assert.Contains("2 entities", Assert.Single(DxfReading.Of(Entities([.. Line, (67, 1), .. Line, (67, 1), (0, "VIEWPORT"), (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062").Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(DxfReading.Of(Entities([.. Line, .. Line, (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062");
+        Assert.DoesNotContain(DxfReading.Of(Entities((0, "VIEWPORT"), (67, 1))).Diagnostics, finding => finding.Id == "DXF0062");
     }
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];
@@ -113,7 +113,7 @@ public class DxfDiagnosticTests
     [MemberData(nameof(Ids))]
     public void Every_rule_has_a_file_that_shows_it(string id)
     {
-        var found = Reading.Of(Cases[id], new DxfReadOptions(Cut: CutChoice.Hatch)).Diagnostics.First(diagnostic => diagnostic.Id == id);
+        var found = DxfReading.Of(Cases[id], new DxfReadOptions(Cut: CutChoice.Hatch)).Diagnostics.First(diagnostic => diagnostic.Id == id);
 
         Assert.DoesNotContain('?', found.Message);
         Assert.DoesNotContain('{', found.Message);
@@ -125,26 +125,26 @@ public class DxfDiagnosticTests
     /// <summary>Line breaks are kept, so that the start of the file can be recognised.</summary>
     [Fact]
     public void The_beginning_of_another_file_is_shown_in_one_line_as_it_reads() =>
-        Assert.Contains("'Dear Sir or Madam, thi'", Assert.Single(Reading.Of("Dear Sir\r\nor Madam,\n\nthis is not what you think\n").Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("'Dear Sir or Madam, thi'", Assert.Single(DxfReading.Of("Dear Sir\r\nor Madam,\n\nthis is not what you think\n").Diagnostics).Message, StringComparison.Ordinal);
 
     [Theory]
     [InlineData(41)]
     [InlineData(42)]
     public void An_insert_of_scale_0_says_so(int code)
     {
-        var finding = Assert.Single(Reading.Of(Inserting(Line, (0, "INSERT"), (5, "2A"), (2, "B"), (10, 0), (20, 0), (code, 0))).Diagnostics, diagnostic => diagnostic.Id == "DXF0055");
+        var finding = Assert.Single(DxfReading.Of(Inserting(Line, (0, "INSERT"), (5, "2A"), (2, "B"), (10, 0), (20, 0), (code, 0))).Diagnostics, diagnostic => diagnostic.Id == "DXF0055");
 
         Assert.Equal("2A", finding.Source.Handle);
         Assert.Contains("group " + code, finding.Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void A_sound_drawing_has_no_diagnostics() => Assert.Empty(Reading.Entities(Line).Diagnostics);
+    public void A_sound_drawing_has_no_diagnostics() => Assert.Empty(DxfReading.Entities(Line).Diagnostics);
 
     [Fact]
     public void Refusals_beyond_a_hundred_are_summed_up_but_all_are_on_the_balance_sheet()
     {
-        var drawing = Reading.Of(Entities([.. Enumerable.Repeat<(int, object)>((0, "BODY"), 5000)]));
+        var drawing = DxfReading.Of(Entities([.. Enumerable.Repeat<(int, object)>((0, "BODY"), 5000)]));
 
         Assert.Equal((5000, 101), (drawing.Balance.Refused.Count, drawing.Diagnostics.Count));
         Assert.Contains("5000 times", drawing.Diagnostics[^1].Message, StringComparison.Ordinal);
@@ -153,7 +153,7 @@ public class DxfDiagnosticTests
     [Fact]
     public void A_finding_says_type_place_and_handle()
     {
-        var finding = Assert.Single(Reading.Entities((0, "BODY"), (5, "2F")).Diagnostics);
+        var finding = Assert.Single(DxfReading.Entities((0, "BODY"), (5, "2F")).Diagnostics);
 
         Assert.Equal((19L, "2F"), (finding.Source.Line, finding.Source.Handle));
         Assert.StartsWith("BODY at line 19 ", finding.Message, StringComparison.Ordinal);

@@ -33,7 +33,7 @@ public class EntityKindTests
     [InlineData("3DFACE")]
     public void Construction_is_counted_and_harms_nothing_whatever_is_in_it(string type)
     {
-        var drawing = Reading.Entities([(0, type), (8, "0"), (10, "junk"), (40, "NaN"), (70, "x"), .. OddDrawings.Arc]);
+        var drawing = DxfReading.Entities([(0, type), (8, "0"), (10, "junk"), (40, "NaN"), (70, "x"), .. OddDrawings.Arc]);
 
         Assert.Equal((2, 1, 1, 0), (drawing.Balance.Read, drawing.Balance.Cut, drawing.Balance.Construction, drawing.Balance.Refused.Count));
         Assert.Empty(drawing.Diagnostics);
@@ -47,7 +47,7 @@ public class EntityKindTests
     [InlineData("LWPOLYLINES")]
     public void What_is_not_known_is_refused_by_name_and_line(string type)
     {
-        var drawing = Reading.Entities([(0, type), (5, "2F"), .. OddDrawings.Arc]);
+        var drawing = DxfReading.Entities([(0, type), (5, "2F"), .. OddDrawings.Arc]);
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal((type, "2F", 19L, "DXF0012"), (refused.Type, refused.Handle, refused.Line, refused.DiagnosticId));
@@ -57,12 +57,12 @@ public class EntityKindTests
     [Fact]
     public void A_foreign_number_is_told_wherever_it_stands()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4)
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4)
             .Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "CIRCLE"), (10, "1,5"), (20, 0), (40, 1), (0, "ENDBLK"))
             .Section("ENTITIES", (0, "INSERT"), (2, "B"), (10, "2,5"), (20, 0), (0, "POLYLINE"), (0, "VERTEX"), (10, 0), (20, 0), (0, "VERTEX"), (10, "3,5"), (20, 0), (0, "SEQEND"), (0, "LWPOLYLINE"), (10, "4,5"), (20, 0), (10, 9), (20, 0))
             .End());
 
-        Assert.Equal(4, Reading.Ids(drawing).Count(id => id == "DXF0037"));
-        Assert.Equal([4.0, 3.5, 4.5], Reading.Parts(drawing).Select((part, i) => i == 1 ? part.D : part.A));
+        Assert.Equal(4, DxfReading.Ids(drawing).Count(id => id == "DXF0037"));
+        Assert.Equal([4.0, 3.5, 4.5], DxfReading.Parts(drawing).Select((part, i) => i == 1 ? part.D : part.A));
     }
 }

@@ -31,7 +31,7 @@ public class ExpansionTests
         for (var seed = 1; seed <= 150; seed++)
         {
             var (file, matrices) = Nest(new Random(seed));
-            var drawing = Reading.Of(file);
+            var drawing = DxfReading.Of(file);
 
             Assert.Equal(3 * matrices.Count, drawing.Entities.Count);
             for (var copy = 0; copy < matrices.Count; copy++)

@@ -28,7 +28,7 @@ public class FormTests
         var encoding = CodePagesEncodingProvider.Instance.GetEncoding(number) ?? Encoding.GetEncoding(number);
         var name = Letters(encoding);
         var text = new DxfText().Section("HEADER", (9, "$ACADVER"), (1, "AC1015"), (9, "$INSUNITS"), (70, 4), (9, "$DWGCODEPAGE"), (3, declared)).Section("ENTITIES", (0, "TEXT"), (8, name), (10, 0), (20, 0), (40, 1), (1, name)).End();
-        var drawing = Reading.Of(encoding.GetBytes(Encoding.UTF8.GetString(text.ToAscii())));
+        var drawing = DxfReading.Of(encoding.GetBytes(Encoding.UTF8.GetString(text.ToAscii())));
 
         Assert.True(name.Length > 3);
         Assert.Equal(name, drawing.Layers[1].Name);
@@ -49,7 +49,7 @@ public class FormTests
     [InlineData("")]
     public void Every_version_reads_the_same_and_is_named(string version)
     {
-        var drawing = Reading.Of(new DxfText().Header(version, 4).Section("ENTITIES", OddDrawings.LwPolyline).End());
+        var drawing = DxfReading.Of(new DxfText().Header(version, 4).Section("ENTITIES", OddDrawings.LwPolyline).End());
 
         Assert.Equal((version, 1), (drawing.DxfVersion, drawing.Balance.Cut));
     }
@@ -65,7 +65,7 @@ public class FormTests
         var text = new DxfText().Header("AC1015", 4).Section("ENTITIES", [(0, "TEXT"), (8, "Größe 切断"), (10, 0), (20, 0), (40, 1), (1, "Ø5"), .. OddDrawings.Arc]).End();
         var encoding = Encoding.GetEncoding(name);
         var plain = Encoding.UTF8.GetString(text.ToAscii());
-        var drawing = Reading.Of([.. mark ? encoding.GetPreamble() : [], .. encoding.GetBytes(plain)]);
+        var drawing = DxfReading.Of([.. mark ? encoding.GetPreamble() : [], .. encoding.GetBytes(plain)]);
 
         Assert.Equal(("Größe 切断", "Ø5", 1), (drawing.Layers[1].Name, drawing.Texts[0].Content, drawing.Balance.Cut));
         Assert.Empty(drawing.Diagnostics);
@@ -76,7 +76,7 @@ public class FormTests
     [InlineData("\r")]
     [InlineData("\r\r\n")]
     public void Everything_reads_the_same_with_every_line_end(string lineEnd) =>
-        Assert.Equal(Reading.Fingerprint(Reading.Of(Everything)), Reading.Fingerprint(Reading.Of(Everything.ToAscii(lineEnd))));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(Everything)), DxfReading.Fingerprint(DxfReading.Of(Everything.ToAscii(lineEnd))));
 
     [Fact]
     public void Line_ends_may_change_in_the_middle()
@@ -85,20 +85,20 @@ public class FormTests
         var lines = Encoding.UTF8.GetString(Everything.ToAscii()).Split('\n')[..^1];
         var mixed = string.Concat(lines.Select((line, i) => line + ends[i / 3 % ends.Length]));
 
-        Assert.Equal(Reading.Fingerprint(Reading.Of(Everything)), Reading.Fingerprint(Reading.Of(mixed)));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(Everything)), DxfReading.Fingerprint(DxfReading.Of(mixed)));
     }
 
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
     public void Everything_reads_the_same_in_both_binary_layouts(bool oneByteCodes) =>
-        Assert.Equal(Reading.Fingerprint(Reading.Of(Everything)), Reading.Fingerprint(Reading.Of(Everything.ToBinary(oneByteCodes))));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(Everything)), DxfReading.Fingerprint(DxfReading.Of(Everything.ToBinary(oneByteCodes))));
 
     [Fact]
     public void Comments_missing_and_doubled_handles_change_nothing()
     {
         (int, object)[] pairs = [(0, "LINE"), (5, "A"), (10, 0), (999, "0"), (20, 0), (999, "ENDSEC"), (11, 1), (21, 0), (0, "LINE"), (5, "A"), (10, 1), (20, 0), (11, 2), (21, 0), (0, "LINE"), (10, 2), (20, 0), (11, 3), (21, 0)];
-        var drawing = Reading.Entities(pairs);
+        var drawing = DxfReading.Entities(pairs);
 
         Assert.Equal((3, 3), (drawing.Balance.Read, drawing.Balance.Cut));
         Assert.Empty(drawing.Diagnostics);
@@ -107,10 +107,10 @@ public class FormTests
     [Fact]
     public void A_section_that_never_ends_and_one_that_never_began_lose_nothing()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Add((0, "ENDSEC"), (0, "SECTION"), (2, "BLOCKS")).Add(OddDrawings.Block("A", OddDrawings.Arc)).Add((0, "SECTION"), (2, "ENTITIES")).Add(OddDrawings.Insert("A", 2.0)).End());
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Add((0, "ENDSEC"), (0, "SECTION"), (2, "BLOCKS")).Add(OddDrawings.Block("A", OddDrawings.Arc)).Add((0, "SECTION"), (2, "ENTITIES")).Add(OddDrawings.Insert("A", 2.0)).End());
 
         Assert.Equal((1, 1), (drawing.Balance.Read, drawing.Balance.Cut));
-        Assert.Equal("DXF0032", string.Join(' ', Reading.Ids(drawing).Distinct()));
+        Assert.Equal("DXF0032", string.Join(' ', DxfReading.Ids(drawing).Distinct()));
     }
 
     public static TheoryData<string, byte[]> ForeignFiles => new()
@@ -124,7 +124,7 @@ public class FormTests
     [MemberData(nameof(ForeignFiles))]
     public void A_file_of_another_format_is_named_and_refused_with_a_way_out(string name, byte[] file)
     {
-        var finding = Assert.Single(Reading.Of(file).Diagnostics);
+        var finding = Assert.Single(DxfReading.Of(file).Diagnostics);
 
         Assert.Contains(name, finding.Message, StringComparison.Ordinal);
         Assert.Contains("DXF", finding.Rule.Advice, StringComparison.Ordinal);
@@ -137,7 +137,7 @@ public class FormTests
         {
             for (var length = 0; length < file.Length; length++)
             {
-                var balance = Reading.Of(file[..length], new DxfReadOptions(Cut: (CutChoice)31)).Balance;
+                var balance = DxfReading.Of(file[..length], new DxfReadOptions(Cut: (CutChoice)31)).Balance;
                 Assert.True(balance.Read == balance.Cut + balance.Construction + balance.Refused.Count, length.ToString(CultureInfo.InvariantCulture));
             }
         }

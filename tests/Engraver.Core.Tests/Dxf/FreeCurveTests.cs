@@ -20,7 +20,7 @@ public class FreeCurveTests
     [Fact]
     public void A_quarter_of_an_ellipse_has_its_length_and_ends()
     {
-        var drawing = Reading.Entities([.. Ellipse, (41, 0), (42, Math.PI / 2.0)]);
+        var drawing = DxfReading.Entities([.. Ellipse, (41, 0), (42, Math.PI / 2.0)]);
         var summary = DrawingSummary.From(drawing);
 
         Assert.Equal(QuarterOfTwoToOne, summary.Length.Ellipse, 1e-9);
@@ -32,7 +32,7 @@ public class FreeCurveTests
     [Fact]
     public void An_extrusion_downwards_turns_the_sense_round()
     {
-        var drawing = Reading.Entities([.. Ellipse, (41, 0), (42, Math.PI / 2.0), (230, -1)]);
+        var drawing = DxfReading.Entities([.. Ellipse, (41, 0), (42, Math.PI / 2.0), (230, -1)]);
 
         Assert.Equal((0.0, -5.0), (drawing.Curves[0].End.X, drawing.Curves[0].End.Y));
         Assert.Empty(drawing.Diagnostics);
@@ -41,7 +41,7 @@ public class FreeCurveTests
     [Fact]
     public void An_ellipse_of_ratio_1_is_a_circle_to_the_machine_and_an_ellipse_to_the_books()
     {
-        var drawing = Reading.Entities((0, "ELLIPSE"), (10, 1), (20, 2), (11, 0), (21, 3), (40, 1));
+        var drawing = DxfReading.Entities((0, "ELLIPSE"), (10, 1), (20, 2), (11, 0), (21, 3), (40, 1));
         var summary = DrawingSummary.From(drawing);
 
         Assert.Equal(SegmentKind.Circle, drawing.Parts[0].Kind);
@@ -64,13 +64,13 @@ public class FreeCurveTests
     [Fact]
     public void A_tilted_circle_keeps_its_length_in_space_and_shows_an_ellipse_in_plan()
     {
-        var drawing = Reading.Entities((0, "CIRCLE"), (10, 0), (20, 0), (40, 10), (220, 1), (230, 1));
+        var drawing = DxfReading.Entities((0, "CIRCLE"), (10, 0), (20, 0), (40, 10), (220, 1), (230, 1));
         var summary = DrawingSummary.From(drawing);
         var plan = FreeCurves.Ellipse(0, 0, 10.0, Math.Sqrt(0.5), 0.0, 0.0, 360.0).ToCurve().PlanLength;
 
         Assert.Equal(20.0 * Math.PI, summary.Length.Circle, 1e-9);
         Assert.Equal(plan, summary.Length.PlanTotal, 1e-9);
-        Assert.Equal(["DXF0014"], Reading.Ids(drawing));
+        Assert.Equal(["DXF0014"], DxfReading.Ids(drawing));
     }
 
     [Fact]
@@ -81,7 +81,7 @@ public class FreeCurveTests
         Point2D Moved(Point2D p) => new((x * p.X * cos) - (y * p.Y * sin) + 7.0, (x * p.X * sin) + (y * p.Y * cos) - 3.0);
         foreach (var content in new[] { Spline, [.. Ellipse, (41, 0.3), (42, 5.0)] })
         {
-            var (plain, placed) = (Reading.Entities(content).Curves[0], Inserting(content, (0, "INSERT"), (2, "B"), (10, 7), (20, -3), (41, x), (42, y), (50, turn)).Curves[0]);
+            var (plain, placed) = (DxfReading.Entities(content).Curves[0], Inserting(content, (0, "INSERT"), (2, "B"), (10, 7), (20, -3), (41, x), (42, y), (50, turn)).Curves[0]);
             for (var i = 0; i <= 20; i++)
             {
                 if (!placed.PointAt(i / 20.0).IsNear(Moved(plain.PointAt(i / 20.0)), 1e-11)) return false;
@@ -99,17 +99,17 @@ public class FreeCurveTests
     public void Unusable_knots_are_replaced_and_said_so(string knots)
     {
         (int, object)[] written = [.. knots.Split(' ', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(knot => (40, (object)knot))];
-        var drawing = Reading.Entities([(0, "SPLINE"), (71, 3), .. written, .. Spline.Where(pair => pair.Item1 is 10 or 20)]);
+        var drawing = DxfReading.Entities([(0, "SPLINE"), (71, 3), .. written, .. Spline.Where(pair => pair.Item1 is 10 or 20)]);
 
-        Assert.Equal(["DXF0021"], Reading.Ids(drawing));
-        Assert.Equal(Reading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
+        Assert.Equal(["DXF0021"], DxfReading.Ids(drawing));
+        Assert.Equal(DxfReading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
     }
 
     [Fact]
     public void Too_few_knots_that_are_not_clamped_are_not_completed()
     {
         (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)];
-        Drawing With(params double[] written) => Reading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
+        Drawing With(params double[] written) => DxfReading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
         var drawing = With(0, 1, 2, 3, 4, 5, 6);
 
         Assert.Equal(With(0, 0, 0, 0, 1, 2, 2, 2, 2).Curves[0].PlanLength, drawing.Curves[0].PlanLength);
@@ -124,7 +124,7 @@ public class FreeCurveTests
     {
         double[] knots = [.. numbers.Split(' ').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture))];
         (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)];
-        Drawing With(params double[] written) => Reading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
+        Drawing With(params double[] written) => DxfReading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
         var (whole, two) = (With([knots[0], .. knots, knots[^1]]), With(knots));
 
         Assert.Equal(whole.Curves[0].PlanLength, two.Curves[0].PlanLength);
@@ -142,8 +142,8 @@ public class FreeCurveTests
         var points = Enumerable.Range(0, 256).Select(i => (i - (i / 4)) / 30.0).SelectMany(turn => new (int, object)[] { (10, 54.3 + Math.Cos(turn)), (20, 12.3 + Math.Sin(turn)) });
         var file = DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]).ToAscii();
 
-        Assert.Equal(192.0 / 30.0, DrawingSummary.From(Reading.Of(file)).Length.Spline, 1e-2);
-        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
+        Assert.Equal(192.0 / 30.0, DrawingSummary.From(DxfReading.Of(file)).Length.Spline, 1e-2);
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(DxfReading.Of(file))));
     }
 
     /// <summary>A double knot whose second value was rounded down is one double knot; it does not make the other knots unusable.</summary>
@@ -153,10 +153,10 @@ public class FreeCurveTests
     public void A_knot_that_falls_by_rounding_is_one_with_the_knot_before_it(double first, double second, double last)
     {
         (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0), (10, 5), (20, 5)];
-        Drawing With(params double[] knots) => Reading.Entities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]);
+        Drawing With(params double[] knots) => DxfReading.Entities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]);
         var rounded = With(0, 0, 0, 0, first, second, 1, 1, 1, last);
 
-        Assert.Empty(Reading.Ids(rounded));
+        Assert.Empty(DxfReading.Ids(rounded));
         Assert.Equal(With(0, 0, 0, 0, 0.5, 0.5, 1, 1, 1, 1).Curves[0].PlanLength, rounded.Curves[0].PlanLength, 1e-9);
     }
 
@@ -166,12 +166,12 @@ public class FreeCurveTests
     [InlineData(4)]
     [InlineData(100)]
     public void A_degree_that_makes_no_curve_is_refused(int degree) =>
-        Assert.Equal(["DXF0034"], Reading.Ids(Reading.Entities([(0, "SPLINE"), (71, degree), .. Spline.Where(pair => pair.Item1 is 10 or 20)])));
+        Assert.Equal(["DXF0034"], DxfReading.Ids(DxfReading.Entities([(0, "SPLINE"), (71, degree), .. Spline.Where(pair => pair.Item1 is 10 or 20)])));
 
     [Fact]
     public void A_weight_that_is_no_number_costs_that_spline_and_no_other()
     {
-        var drawing = Reading.Entities([.. Spline, (41, "NaN"), .. Ellipse]);
+        var drawing = DxfReading.Entities([.. Spline, (41, "NaN"), .. Ellipse]);
 
         Assert.Equal((1, 1), (drawing.Entities.Count, drawing.Balance.Refused.Count));
     }
@@ -181,11 +181,11 @@ public class FreeCurveTests
     {
         const int Points = 1_000;
         var points = Enumerable.Range(0, Points).SelectMany(i => new (int, object)[] { (10, (double)i), (20, i % 7 * 1.5) });
-        var drawing = Reading.Entities([(0, "SPLINE"), (71, 25), .. points]);
+        var drawing = DxfReading.Entities([(0, "SPLINE"), (71, 25), .. points]);
 
         Assert.True(drawing.Curves[0].PlanLength > Points - 1);
     }
 
-    private static Drawing Inserting(ReadOnlySpan<(int, object)> content, params ReadOnlySpan<(int, object)> entities) => Reading.Of(new DxfText()
+    private static Drawing Inserting(ReadOnlySpan<(int, object)> content, params ReadOnlySpan<(int, object)> entities) => DxfReading.Of(new DxfText()
         .Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. content, (0, "ENDBLK")]).Section("ENTITIES", entities).End());
 }

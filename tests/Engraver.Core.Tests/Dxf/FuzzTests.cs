@@ -17,7 +17,7 @@ public class FuzzTests
     private const int LargestOriginal = 24_000;
 
     /// <summary>Small, so that array bombs are refused and not expanded.</summary>
-    private const int MostCurves = 20_000;
+    private const int MaxCurves = 20_000;
 
     [CorpusFact]
     public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], TestExtent.Cases(perCommit: 2_500, full: 100_000, "ENGRAVER_FUZZ_CASES"));
@@ -45,8 +45,8 @@ public class FuzzTests
             var drawing = await ReadAsync(file, seed);
             Assert.True(drawing.Balance.Read == drawing.Balance.Cut + drawing.Balance.Construction + drawing.Balance.Refused.Count, $"seed {seed}: the balance does not hold");
             AssertUsable(drawing, seed);
-            if (seed % 10 == 0) Assert.True(Reading.Fingerprint(drawing) == Reading.Fingerprint(await ReadAsync(file, seed)), $"seed {seed}: read differently the second time");
-            if (seed % 10 == 5) Assert.True(Reading.Fingerprint(drawing) == Reading.Fingerprint(await ReadAsync(file, seed, arrives: true)), $"seed {seed}: read differently while it arrives");
+            if (seed % 10 == 0) Assert.True(DxfReading.Fingerprint(drawing) == DxfReading.Fingerprint(await ReadAsync(file, seed)), $"seed {seed}: read differently the second time");
+            if (seed % 10 == 5) Assert.True(DxfReading.Fingerprint(drawing) == DxfReading.Fingerprint(await ReadAsync(file, seed, arrives: true)), $"seed {seed}: read differently while it arrives");
         }
         catch (Exception wrong)
         {
@@ -58,10 +58,10 @@ public class FuzzTests
     private static async Task<Drawing> ReadAsync(byte[] file, int seed, bool arrives = false)
     {
         using var patience = new CancellationTokenSource(LongestReading);
-        var options = new DxfReadOptions(MaxExpandedCurves: MostCurves, Cut: seed % 2 == 0 ? CutChoice.None : (CutChoice)31);
+        var options = new DxfReadOptions(MaxExpandedCurves: MaxCurves, Cut: seed % 2 == 0 ? CutChoice.None : (CutChoice)31);
         var pieces = new Random(seed);
         return await Task.Run(() => arrives
-            ? DxfReader.Read(new SlowBytes(file, () => pieces.Next(3000)), "test.dxf", options, patience.Token)
+            ? DxfReader.Read(new SlowFileBytes(file, () => pieces.Next(3000)), "test.dxf", options, patience.Token)
             : DxfReader.Read(file, "test.dxf", options, patience.Token)).WaitAsync(2 * LongestReading);
     }
 

@@ -17,7 +17,7 @@ public class HeaderAndLayerTests
     [InlineData(24, "usmi", 1609347.2186944373)]
     public void Insunits_gives_the_unit(int code, string name, double factor)
     {
-        var unit = Reading.Of(new DxfText().Header("AC1015", code).End()).Unit;
+        var unit = DxfReading.Of(new DxfText().Header("AC1015", code).End()).Unit;
 
         Assert.Equal((code, name, "INSUNITS"), (unit.Code, unit.Name, unit.Source));
         Assert.Equal(1.0, unit.MillimetresPerUnit / factor, 1e-12);
@@ -29,7 +29,7 @@ public class HeaderAndLayerTests
     [InlineData(-4)]
     public void Any_other_insunits_means_millimetres_with_a_warning_that_names_the_way_out(int code)
     {
-        var drawing = Reading.Of(new DxfText().Section("HEADER", (9, "$INSUNITS"), (70, code), (9, "$MEASUREMENT"), (70, 0)).End());
+        var drawing = DxfReading.Of(new DxfText().Section("HEADER", (9, "$INSUNITS"), (70, code), (9, "$MEASUREMENT"), (70, 0)).End());
 
         Assert.Equal(LengthUnit.AssumedMillimetres, drawing.Unit);
         var message = Assert.Single(drawing.Diagnostics).Message;
@@ -45,17 +45,17 @@ public class HeaderAndLayerTests
     [InlineData(5, 4, "cm", "INSUNITS")]
     public void Lengths_shown_in_feet_and_inches_are_inches_where_the_drawing_says_no_unit(int insunits, int lunits, string unit, string source)
     {
-        var drawing = Reading.Of(new DxfText().Section("HEADER", (9, "$INSUNITS"), (70, insunits), (9, "$LUNITS"), (70, lunits)).End());
+        var drawing = DxfReading.Of(new DxfText().Section("HEADER", (9, "$INSUNITS"), (70, insunits), (9, "$LUNITS"), (70, lunits)).End());
 
         Assert.Equal((unit, source), (drawing.Unit.Name, drawing.Unit.Source));
-        Assert.Equal(insunits == 0 ? ["DXF0003"] : [], Reading.Ids(drawing));
+        Assert.Equal(insunits == 0 ? ["DXF0003"] : [], DxfReading.Ids(drawing));
         if (source == "LUNITS") Assert.Contains($"inches were assumed because $LUNITS is {lunits}", drawing.Diagnostics[0].Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void The_operators_unit_wins_without_a_warning()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 6).End().ToAscii(), new DxfReadOptions(LengthUnits.FromInsUnits(1)));
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 6).End().ToAscii(), new DxfReadOptions(LengthUnits.FromInsUnits(1)));
 
         Assert.Equal(("in", "option"), (drawing.Unit.Name, drawing.Unit.Source));
         Assert.Empty(drawing.Diagnostics);
@@ -64,7 +64,7 @@ public class HeaderAndLayerTests
     [Fact]
     public void Layer_switches_are_read_and_names_match_without_regard_to_case()
     {
-        var drawing = Reading.Of(new DxfText()
+        var drawing = DxfReading.Of(new DxfText()
             .Section("TABLES", (0, "LAYER"), (2, "Off"), (62, -7), (0, "LAYER"), (2, "Frozen"), (70, 5), (0, "LAYER"), (2, "NoPlot"), (70, 4), (290, 0))
             .Section("ENTITIES", (0, "POINT"), (8, "OFF"), (0, "POINT"), (8, "frozen"), (0, "POINT"), (8, "noplot"), (0, "POINT"), (8, "New"), (0, "POINT"))
             .End());
@@ -89,16 +89,16 @@ public class HeaderAndLayerTests
         var text = Encoding.UTF8.GetString(new DxfText()
             .Section("HEADER", (9, "$ACADVER"), (1, version), (9, "$DWGCODEPAGE"), (3, codePage)).Section("ENTITIES", (0, "POINT"), (8, name)).End().ToAscii());
 
-        Assert.Equal(name, Reading.Of(encoding.GetBytes(text)).Layers[1].Name);
+        Assert.Equal(name, DxfReading.Of(encoding.GetBytes(text)).Layers[1].Name);
     }
 
     [Fact]
-    public void Escaped_characters_are_resolved() => Assert.Equal("Ж香 \\U+12", Reading.Entities((0, "POINT"), (8, @"\U+0416\U+9999 \U+12")).Layers[1].Name);
+    public void Escaped_characters_are_resolved() => Assert.Equal("Ж香 \\U+12", DxfReading.Entities((0, "POINT"), (8, @"\U+0416\U+9999 \U+12")).Layers[1].Name);
 
     [Fact]
     public void A_section_plane_among_the_entities_is_no_new_section()
     {
-        var drawing = Reading.Entities((0, "SECTION"), (5, "A"), (0, "CIRCLE"), (10, 0), (20, 0), (40, 1));
+        var drawing = DxfReading.Entities((0, "SECTION"), (5, "A"), (0, "CIRCLE"), (10, 0), (20, 0), (40, 1));
 
         Assert.Equal((2, 1), (drawing.Balance.Read, drawing.Balance.Cut));
     }
@@ -106,9 +106,9 @@ public class HeaderAndLayerTests
     [Fact]
     public void Unknown_sections_and_a_second_entities_section_are_no_obstacle()
     {
-        var drawing = Reading.Of(new DxfText()
+        var drawing = DxfReading.Of(new DxfText()
             .Section("ENTITIES", (0, "POINT")).Section("NOVELTY", (0, "THING"), (10, 0)).Section("EMPTY").Section("ENTITIES", (0, "POINT")).End());
 
-        Assert.Equal((2, "DXF0003"), (drawing.Balance.Points, string.Join(' ', Reading.Ids(drawing))));
+        Assert.Equal((2, "DXF0003"), (drawing.Balance.Points, string.Join(' ', DxfReading.Ids(drawing))));
     }
 }

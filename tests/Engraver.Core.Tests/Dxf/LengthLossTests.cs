@@ -25,7 +25,7 @@ public class LengthLossTests
         {
             var random = new Random(seed);
             var pairs = Changed(Curve(Types[seed % Types.Length], random), random);
-            var drawing = Reading.Of(DxfText.WithEntities(pairs).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
+            var drawing = DxfReading.Of(DxfText.WithEntities(pairs).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
             var (written, read) = (Written(pairs), SpanTests.Length(drawing));
             if (read < written * (1.0 - Shorter) && drawing.Diagnostics.All(finding => finding.Severity == Severity.Info))
             {

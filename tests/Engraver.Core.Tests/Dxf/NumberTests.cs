@@ -46,7 +46,7 @@ public class NumberTests
     [InlineData("--1")]
     [InlineData("1e")]
     public void What_is_no_number_is_refused(string text) =>
-        Assert.Equal("DXF0007", Assert.Single(Reading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 0)).Balance.Refused).DiagnosticId);
+        Assert.Equal("DXF0007", Assert.Single(DxfReading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 0)).Balance.Refused).DiagnosticId);
 
     [Theory]
     [InlineData("0", 0)]
@@ -56,7 +56,7 @@ public class NumberTests
     [InlineData(" 1A ", 0x1A)]
     [InlineData("1G", 0)]
     public void Handles_are_hexadecimal(string text, ulong handle) =>
-        Assert.Equal(handle, Reading.Entities((0, "LINE"), (5, text), (10, 0), (20, 0), (11, 1), (21, 0)).Entities[0].Handle);
+        Assert.Equal(handle, DxfReading.Entities((0, "LINE"), (5, text), (10, 0), (20, 0), (11, 1), (21, 0)).Entities[0].Handle);
 
     /// <summary>Lines are searched sixteen bytes at a time, and near the end of the file one by one.</summary>
     [Fact]
@@ -67,7 +67,7 @@ public class NumberTests
             foreach (var end in new[] { "\n", "\r\n", "\r" })
             {
                 var text = DxfText.WithEntities((1, new string('x', length)), (0, "LINE"), (1, new string('y', 100 - length)), (10, 1), (20, 2), (11, 3), (21, 4)).ToAscii(end);
-                var part = Assert.Single(Reading.Parts(Reading.Of(text)));
+                var part = Assert.Single(DxfReading.Parts(DxfReading.Of(text)));
                 Assert.Equal((1.0, 2.0, 3.0, 4.0), (part.A, part.B, part.D, part.E));
             }
         }
@@ -83,7 +83,7 @@ public class NumberTests
     private static void AssertRead(string[] numbers)
     {
         (int Code, object Value)[] pairs = [.. numbers.SelectMany(number => new (int, object)[] { (0, "LINE"), (10, number), (20, 0), (11, 1e99), (21, 0) })];
-        var parts = Reading.Parts(Reading.Entities(pairs));
+        var parts = DxfReading.Parts(DxfReading.Entities(pairs));
 
         Assert.Equal(numbers.Length, parts.Length);
         for (var i = 0; i < numbers.Length; i++)

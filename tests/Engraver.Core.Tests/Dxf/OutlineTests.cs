@@ -12,7 +12,7 @@ public class OutlineTests
     [Fact]
     public void Without_the_choice_outlines_are_construction()
     {
-        var drawing = Reading.Entities([.. OddDrawings.Hatch, .. OddDrawings.MLine, .. OddDrawings.Leader, .. OddDrawings.Solid, .. OddDrawings.Face]);
+        var drawing = DxfReading.Entities([.. OddDrawings.Hatch, .. OddDrawings.MLine, .. OddDrawings.Leader, .. OddDrawings.Solid, .. OddDrawings.Face]);
 
         Assert.Equal((5, 5, 0), (drawing.Balance.Read, drawing.Balance.Construction, drawing.Entities.Count));
     }
@@ -27,14 +27,14 @@ public class OutlineTests
         var drawing = Cut(choice, [.. OddDrawings.Hatch, .. OddDrawings.MLine, .. OddDrawings.Leader, .. OddDrawings.Solid]);
 
         Assert.Equal((4, 1, 3), (drawing.Balance.Read, drawing.Balance.Cut, drawing.Balance.Construction));
-        Assert.Equal(choice.ToString(), Assert.Single(Reading.Curves(drawing).Select(curve => curve.Type.ToString()).Distinct()));
+        Assert.Equal(choice.ToString(), Assert.Single(DxfReading.Curves(drawing).Select(curve => curve.Type.ToString()).Distinct()));
     }
 
     [Fact]
     public void A_hatch_gives_each_loop_with_every_kind_of_edge()
     {
         var drawing = Cut(CutChoice.Hatch, OddDrawings.Hatch);
-        var kinds = Reading.Curves(drawing).Select(curve => string.Join(' ', Reading.Parts(drawing).Skip(curve.FirstPart).Take(curve.PartCount).Select(part => part.Kind)));
+        var kinds = DxfReading.Curves(drawing).Select(curve => string.Join(' ', DxfReading.Parts(drawing).Skip(curve.FirstPart).Take(curve.PartCount).Select(part => part.Kind)));
 
         Assert.Equal(["Arc Line Line", "Line Arc Ellipse Spline"], kinds);
         AssertChained(drawing, 1, closed: true);
@@ -66,7 +66,7 @@ public class OutlineTests
     {
         (int, object)[] hatch = [(0, "HATCH"), (10, 0), (20, 0), (30, 2), (210, 0), (220, 0), (230, -1), (91, 1), (92, 2), (72, 0), (73, 1), (93, 3), (10, 1), (20, 0), (10, 4), (20, 0), (10, 4), (20, 4), (97, 0), (75, 0)];
         var direct = Cut(CutChoice.Hatch, hatch);
-        var inserted = Reading.Of(
+        var inserted = DxfReading.Of(
             new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. hatch, (0, "ENDBLK")]).Section("ENTITIES", (0, "INSERT"), (2, "B"), (10, 100), (20, 0), (41, -1)).End().ToAscii(),
             new DxfReadOptions(Cut: CutChoice.Hatch));
 
@@ -86,16 +86,16 @@ public class OutlineTests
             [(11, 10.0 * number), (21, 0.0), (12, 1.0), (22, 0.0), (13, 0.0), (23, 1.0), .. Enumerable.Range(0, elements).SelectMany(element => ((int, object)[])[(74, 1), (41, element), (75, 0)])];
         (int, object)[] line = [(0, "MLINE"), (2, "Standard"), (40, 1.0), (70, 0), (71, 0), (72, vertices), (73, 2), .. Vertex(0, first), .. (vertices > 1 ? Vertex(1, last) : [])];
 
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", line).Section("OBJECTS", (0, "MLINESTYLE"), (2, "Standard"), (70, 2 + 64 + 1024 + 32 + 512)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", line).Section("OBJECTS", (0, "MLINESTYLE"), (2, "Standard"), (70, 2 + 64 + 1024 + 32 + 512)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
 
-        Assert.Equal(arcs, Reading.Parts(drawing).Count(part => part.Kind == SegmentKind.Arc));
+        Assert.Equal(arcs, DxfReading.Parts(drawing).Count(part => part.Kind == SegmentKind.Arc));
     }
 
     [Fact]
     public void A_multiline_gives_each_element_and_the_caps_of_its_style()
     {
         var plain = Cut(CutChoice.MLine, OddDrawings.MLine);
-        var capped = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", OddDrawings.MLine).Section("OBJECTS", (0, "MLINESTYLE"), (2, "STANDARD"), (70, 16 + 1024)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
+        var capped = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", OddDrawings.MLine).Section("OBJECTS", (0, "MLINESTYLE"), (2, "STANDARD"), (70, 16 + 1024)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
 
         Assert.Equal("0,1>10,1 0,-1>10,-1", Lines(plain));
         Assert.Equal((4, 1), (capped.Entities.Count, capped.Balance.Cut));
@@ -107,10 +107,10 @@ public class OutlineTests
     {
         static (int, object)[] Vertex(double x, double y, double mx, double my) => [(11, x), (21, y), (12, 1), (22, 0), (13, mx), (23, my), (74, 1), (41, 0), (75, 0), (74, 1), (41, 1), (75, 0)];
         (int, object)[] closed = [(0, "MLINE"), (2, "Standard"), (71, 3), (72, 3), (73, 2), .. Vertex(0, 0, -1, -1), .. Vertex(10, 0, 1, -1), .. Vertex(5, 9, 0, 1)];
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", closed).Section("OBJECTS", (0, "MLINESTYLE"), (2, "Standard"), (70, 272)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", closed).Section("OBJECTS", (0, "MLINESTYLE"), (2, "Standard"), (70, 272)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
 
-        Assert.Equal([3, 3], Reading.Curves(drawing).Select(curve => curve.PartCount));
-        Assert.All(Reading.Curves(drawing), curve => Assert.True(curve.Closed));
+        Assert.Equal([3, 3], DxfReading.Curves(drawing).Select(curve => curve.PartCount));
+        Assert.All(DxfReading.Curves(drawing), curve => Assert.True(curve.Closed));
         AssertChained(drawing, 0, closed: true);
     }
 
@@ -121,7 +121,7 @@ public class OutlineTests
         var curved = Cut(CutChoice.Leader, [.. OddDrawings.Leader.Select(pair => pair.Code == 72 ? (72, (object)1) : pair)]);
 
         Assert.Equal("0,0>3,4 3,4>8,4", Lines(straight));
-        Assert.Equal(SegmentKind.Spline, Assert.Single(Reading.Parts(curved)).Kind);
+        Assert.Equal(SegmentKind.Spline, Assert.Single(DxfReading.Parts(curved)).Kind);
         Assert.True(curved.SegmentOf(curved.Parts[0]).DistanceTo(new Point2D(3, 4)) < 1e-9);
     }
 
@@ -131,7 +131,7 @@ public class OutlineTests
         (int, object)[] helix = [(0, "HELIX"), (100, "AcDbSpline"), .. OddDrawings.Spline[1..], (100, "AcDbHelix"), (90, 29), (10, 77), (20, 77), (11, 78), (21, 77), (40, 0.5), (41, 3)];
         var drawing = Cut(CutChoice.Helix, helix);
 
-        var spline = Reading.Entities(OddDrawings.Spline);
+        var spline = DxfReading.Entities(OddDrawings.Spline);
         Assert.Equal((CurveType.Helix, DrawingSummary.From(spline).Length.Total), (drawing.Entities[0].Type, DrawingSummary.From(drawing).Length.Total));
         Assert.Empty(drawing.Diagnostics);
     }
@@ -154,9 +154,9 @@ public class OutlineTests
         Assert.Contains("edge type 9", drawing.Balance.Refused[0].Reason, StringComparison.Ordinal);
     }
 
-    private static Drawing Cut(CutChoice choice, params ReadOnlySpan<(int Code, object Value)> entities) => Reading.Of(DxfText.WithEntities(entities).ToAscii(), new DxfReadOptions(Cut: choice));
+    private static Drawing Cut(CutChoice choice, params ReadOnlySpan<(int Code, object Value)> entities) => DxfReading.Of(DxfText.WithEntities(entities).ToAscii(), new DxfReadOptions(Cut: choice));
 
-    private static string Lines(Drawing drawing) => string.Join(' ', Reading.Parts(drawing).Select(part => $"{part.A:0.#},{part.B:0.#}>{part.D:0.#},{part.E:0.#}"));
+    private static string Lines(Drawing drawing) => string.Join(' ', DxfReading.Parts(drawing).Select(part => $"{part.A:0.#},{part.B:0.#}>{part.D:0.#},{part.E:0.#}"));
 
     private static void AssertChained(Drawing drawing, int curve, bool closed)
     {

@@ -13,8 +13,8 @@ public class RangeTests
     public void A_tiny_extrusion_is_a_direction_like_any_other()
     {
         (int, object)[] tiny = [(210, 0.0), (220, 0.0), (230, -1e-200)];
-        var drawing = Reading.Entities([.. OddDrawings.Ellipse, .. tiny, .. OddDrawings.Arc, .. tiny]);
-        var usual = Reading.Entities([.. OddDrawings.Ellipse, (230, -1.0), .. OddDrawings.Arc, (230, -1.0)]);
+        var drawing = DxfReading.Entities([.. OddDrawings.Ellipse, .. tiny, .. OddDrawings.Arc, .. tiny]);
+        var usual = DxfReading.Entities([.. OddDrawings.Ellipse, (230, -1.0), .. OddDrawings.Arc, (230, -1.0)]);
 
         Assert.Equal(DrawingSummary.From(usual).Bounds, DrawingSummary.From(drawing).Bounds);
         Assert.True(DrawingSummary.From(drawing).Length.Total > 10.0);
@@ -31,7 +31,7 @@ public class RangeTests
     [MemberData(nameof(Overflowing))]
     public void What_a_factor_carries_out_of_range_is_refused(string type, (int, object)[] pairs)
     {
-        var drawing = Reading.Of(DxfText.WithEntities([.. pairs, .. OddDrawings.Arc]).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
+        var drawing = DxfReading.Of(DxfText.WithEntities([.. pairs, .. OddDrawings.Arc]).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal((type, "DXF0033"), (refused.Type, refused.DiagnosticId));
@@ -46,7 +46,7 @@ public class RangeTests
     {
         (int, object)[] Spline(double a, double b) =>
             [(0, "SPLINE"), (70, 4), (71, 1), (40, 0), (40, 0), (40, 1), (40, 1), (41, a), (41, b), (10, 0), (20, 0), (10, 3), (20, 4)];
-        var drawing = Reading.Entities(Spline(first, second));
+        var drawing = DxfReading.Entities(Spline(first, second));
 
         Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
         Assert.Empty(drawing.Diagnostics);
@@ -55,7 +55,7 @@ public class RangeTests
     [Fact]
     public void Fit_points_nearer_than_can_be_reckoned_with_are_one()
     {
-        var drawing = Reading.Entities((0, "SPLINE"), (70, 8), (71, 3), (11, 0), (21, 0), (11, 1e-200), (21, 0), (11, 3), (21, 4));
+        var drawing = DxfReading.Entities((0, "SPLINE"), (70, 8), (71, 3), (11, 0), (21, 0), (11, 1e-200), (21, 0), (11, 3), (21, 4));
 
         Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
     }
@@ -63,9 +63,9 @@ public class RangeTests
     [Fact]
     public void Too_few_control_points_leave_the_fit_points()
     {
-        var drawing = Reading.Entities((0, "SPLINE"), (70, 8), (71, 3), (10, 9), (20, 9), (11, 0), (21, 0), (11, 3), (21, 4));
+        var drawing = DxfReading.Entities((0, "SPLINE"), (70, 8), (71, 3), (10, 9), (20, 9), (11, 0), (21, 0), (11, 3), (21, 4));
 
         Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
-        Assert.Equal(["DXF0041"], Reading.Ids(drawing));
+        Assert.Equal(["DXF0041"], DxfReading.Ids(drawing));
     }
 }

@@ -72,7 +72,7 @@ public class SilentLossTests
             if (lines[code].Trim() != "0" || lines[code + 1] is not ("LINE" or "CIRCLE" or "POLYLINE" or "VERTEX" or "INSERT" or "TEXT" or "LAYER")) continue;
             List<string> damaged = [.. lines];
             damaged.RemoveRange(code, 2);
-            if (!Read(damaged).HasErrors) silent.Add($"line {code + 1}, {lines[code + 1]}: {string.Join(' ', Reading.Ids(Read(damaged)))}");
+            if (!Read(damaged).HasErrors) silent.Add($"line {code + 1}, {lines[code + 1]}: {string.Join(' ', DxfReading.Ids(Read(damaged)))}");
         }
 
         Assert.Empty(silent);
@@ -86,8 +86,8 @@ public class SilentLossTests
     {
         (int, object)[] pairs = [.. curve.Split('|').Select(pair => pair.Split(' ')).Select(pair => (int.Parse(pair[0], CultureInfo.InvariantCulture), (object)pair[1]))];
 
-        Assert.False(Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", pairs).End().ToAscii()).HasErrors);
-        Assert.True(Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. pairs, .. Line[1..]]).End().ToAscii()).HasErrors);
+        Assert.False(DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", pairs).End().ToAscii()).HasErrors);
+        Assert.True(DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. pairs, .. Line[1..]]).End().ToAscii()).HasErrors);
     }
 
     /// <summary>A name that is empty, truncated or misspelt by one letter is a lost curve, not an unknown type.</summary>
@@ -100,7 +100,7 @@ public class SilentLossTests
     [InlineData("LWPOLYLIME")]
     public void A_record_whose_name_is_damaged_is_an_error_that_names_it(string name)
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. Circle, (0, name), .. Line[1..]]).End().ToBinary(oneByteCodes: false));
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. Circle, (0, name), .. Line[1..]]).End().ToBinary(oneByteCodes: false));
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal((name, "DXF0058"), (refused.Type, refused.DiagnosticId));
@@ -116,7 +116,7 @@ public class SilentLossTests
     public void A_run_of_zeros_in_a_binary_file_is_never_passed_over_in_silence(bool oneByteCodes)
     {
         var file = Framed.ToBinary(oneByteCodes);
-        var whole = Types(Reading.Of(file));
+        var whole = Types(DxfReading.Of(file));
         var silent = new List<string>();
         foreach (var length in TestExtent.IsFull ? (int[])[1, 8, 19, 40, 120, 512] : [512])
         {
@@ -124,9 +124,9 @@ public class SilentLossTests
             {
                 byte[] damaged = [.. file];
                 damaged.AsSpan(at, Math.Min(length, file.Length - at)).Clear();
-                var read = Reading.Of(damaged);
+                var read = DxfReading.Of(damaged);
                 if (Types(read) == whole) continue;
-                if (!read.HasErrors) silent.Add($"{length} bytes at {at}: the reader says '{string.Join(' ', Reading.Ids(read))}'");
+                if (!read.HasErrors) silent.Add($"{length} bytes at {at}: the reader says '{string.Join(' ', DxfReading.Ids(read))}'");
                 else if (length > LongestValue && CrossCheck.Read(damaged).DifferencesFrom(DrawingSummary.From(read)).Count == 0) silent.Add($"{length} bytes at {at}: the second reading agrees");
             }
         }
@@ -141,7 +141,7 @@ public class SilentLossTests
     public void A_damaged_byte_in_the_frame_of_a_binary_file_is_never_passed_over_in_silence(bool oneByteCodes)
     {
         var file = Framed.ToBinary(oneByteCodes);
-        var whole = Types(Reading.Of(file));
+        var whole = Types(DxfReading.Of(file));
         var silent = new List<string>();
         foreach (var at in FrameBytes(oneByteCodes))
         {
@@ -149,8 +149,8 @@ public class SilentLossTests
             {
                 byte[] damaged = [.. file];
                 damaged[at] = instead;
-                var read = Reading.Of(damaged);
-                if (!read.HasErrors && Types(read) != whole) silent.Add($"{instead} for {file[at]} at {at}: {string.Join(' ', Reading.Ids(read))}");
+                var read = DxfReading.Of(damaged);
+                if (!read.HasErrors && Types(read) != whole) silent.Add($"{instead} for {file[at]} at {at}: {string.Join(' ', DxfReading.Ids(read))}");
             }
         }
 
@@ -223,8 +223,8 @@ public class SilentLossTests
         (int, object)[] content = [.. pairs.Split('|').Select(pair => pair.Split(' ', 2)).Select(pair => (int.Parse(pair[0], CultureInfo.InvariantCulture), (object)pair[1]))];
         var file = new DxfText().Header("AC1015", 4).Section("ENTITIES", Line).Section(name, content).End().ToAscii();
 
-        Assert.Empty(Reading.Of(file).Diagnostics);
-        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
+        Assert.Empty(DxfReading.Of(file).Diagnostics);
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(DxfReading.Of(file))));
     }
 
     [Fact]
@@ -234,8 +234,8 @@ public class SilentLossTests
             .Section("BLOCKS", (0, "BLOCK"), (8, "LINE"), (2, "B"), (0, "CIRCLE"), (8, "LINE"), (10, 0), (20, 0), (40, 1), (0, "ENDBLK"), (5, "1F"), (8, "LINE"))
             .Section("ENTITIES", (0, "TEXT"), (5, "1"), (8, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "LINE"), (0, "INSERT"), (8, "INSERT"), (2, "B"), (10, 0), (20, 0)).End().ToAscii();
 
-        Assert.Empty(Reading.Of(file).Diagnostics);
-        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
+        Assert.Empty(DxfReading.Of(file).Diagnostics);
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(DxfReading.Of(file))));
     }
 
     /// <summary>Twelve offsets of each form of each sample: a sector of zeros is an error unless every curve is still read.</summary>
@@ -248,7 +248,7 @@ public class SilentLossTests
         {
             var file = File.ReadAllBytes(path);
             if (file.Length > 400_000 || file.AsSpan().StartsWith("AutoCAD Binary"u8)) continue;
-            var whole = Curves(Reading.Of(file));
+            var whole = Curves(DxfReading.Of(file));
             foreach (var form in (byte[][])[file, Encoding.Unicode.GetBytes('\uFEFF' + Encoding.UTF8.GetString(file))])
             {
                 for (var trial = 0; trial < 12; trial++)
@@ -257,7 +257,7 @@ public class SilentLossTests
                     var at = sector * random.Next((form.Length / sector) + 1);
                     byte[] damaged = [.. form];
                     damaged.AsSpan(at, Math.Min(sector, damaged.Length - at)).Clear();
-                    var read = Reading.Of(damaged);
+                    var read = DxfReading.Of(damaged);
                     if (!read.HasErrors && Curves(read) != whole) silent.Add($"{Path.GetFileName(path)}, {sector} bytes at {at}");
                 }
             }
@@ -276,7 +276,7 @@ public class SilentLossTests
         var at = text.IndexOf("CIRCLE", StringComparison.Ordinal) + "CIRCLE".Length;
         var line = text[..at].Count(c => c == '\n') + 1;
 
-        var finding = Assert.Single(Reading.Of(text.Insert(at, zeros)).Diagnostics, diagnostic => diagnostic.Id == "DXF0054");
+        var finding = Assert.Single(DxfReading.Of(text.Insert(at, zeros)).Diagnostics, diagnostic => diagnostic.Id == "DXF0054");
         Assert.Equal(zeros[0] == '\n' ? line + 1 : line, finding.Source.Line);
     }
 
@@ -289,15 +289,15 @@ public class SilentLossTests
     {
         var text = Encoding.UTF8.GetString(Sample.ToAscii()) + tail;
 
-        Assert.Empty(Reading.Of(text).Diagnostics);
-        Assert.Empty(Reading.Of(Encoding.Unicode.GetBytes('\uFEFF' + text)).Diagnostics);
+        Assert.Empty(DxfReading.Of(text).Diagnostics);
+        Assert.Empty(DxfReading.Of(Encoding.Unicode.GetBytes('\uFEFF' + text)).Diagnostics);
     }
 
     private static (int, object)[] Insert(string block, double x) => [(0, "INSERT"), (5, "34"), (8, "CUT"), (2, block), (10, x), (20, 0.0)];
 
     private static string[] Lines(DxfText text) => Encoding.UTF8.GetString(text.ToAscii()).TrimEnd('\n').Split('\n');
 
-    private static Drawing Read(IEnumerable<string> lines) => Reading.Of(Bytes(lines));
+    private static Drawing Read(IEnumerable<string> lines) => DxfReading.Of(Bytes(lines));
 
     private static byte[] Bytes(IEnumerable<string> lines) => Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n");
 
@@ -314,22 +314,22 @@ public class SilentLossTests
         }
     }
 
-    private static string Types(Drawing drawing) => string.Join(' ', Reading.Curves(drawing).CountBy(entity => entity.Type).OrderBy(pair => pair.Key));
+    private static string Types(Drawing drawing) => string.Join(' ', DxfReading.Curves(drawing).CountBy(entity => entity.Type).OrderBy(pair => pair.Key));
 
     /// <summary>The parts that were lost without an error, or without a difference in the second reader; null for none.</summary>
     private static string? Silence(IEnumerable<string> lines)
     {
         var file = Bytes(lines);
-        var read = Reading.Of(file);
-        if (Curves(read) == Curves(Reading.Of(Sample))) return null;
-        if (!read.HasErrors) return $"the reader says {string.Join(' ', Reading.Ids(read))}";
+        var read = DxfReading.Of(file);
+        if (Curves(read) == Curves(DxfReading.Of(Sample))) return null;
+        if (!read.HasErrors) return $"the reader says {string.Join(' ', DxfReading.Ids(read))}";
         return CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(read)).Count == 0 ? "the second reading agrees" : null;
     }
 
     /// <summary>The cut curves, and whether their layers are switched on; in any order.</summary>
     private static string Curves(Drawing drawing)
     {
-        var curves = Reading.Curves(drawing).Select(entity => string.Create(CultureInfo.InvariantCulture,
+        var curves = DxfReading.Curves(drawing).Select(entity => string.Create(CultureInfo.InvariantCulture,
             $"{entity.Type} {drawing.Layers[entity.Layer].On} {string.Concat(Enumerable.Range(entity.FirstPart, entity.PartCount).Select(i => $"{drawing.Parts[i].A:R},{drawing.Parts[i].B:R},{drawing.Parts[i].D:R},{drawing.Parts[i].E:R};"))}"));
         return string.Join('\n', curves.Order(StringComparer.Ordinal)) + string.Concat(drawing.Layers.Select(layer => $"\n{layer.Name} {layer.On}").Order(StringComparer.Ordinal));
     }

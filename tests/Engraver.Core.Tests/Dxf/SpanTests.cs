@@ -47,7 +47,7 @@ public class SpanTests
 
         Assert.Equal(sweep, drawing.Parts[0].F, 1e-9);
         Assert.Equal(sweep == 360.0, drawing.Entities[0].Closed);
-        Assert.Equal(finding, string.Join(' ', Reading.Ids(drawing)));
+        Assert.Equal(finding, string.Join(' ', DxfReading.Ids(drawing)));
     }
 
     /// <summary>Also a flat elliptical edge: there one degree is a large change of the parameter.</summary>
@@ -66,7 +66,7 @@ public class SpanTests
             Assert.Empty(drawing.Diagnostics);
         }
 
-        Assert.Equal("DXF0059", string.Join(' ', Reading.Ids(Read(Hatch(kind, 400.0, counterClockwise)))));
+        Assert.Equal("DXF0059", string.Join(' ', DxfReading.Ids(Read(Hatch(kind, 400.0, counterClockwise)))));
     }
 
     /// <summary>In blocks, mirrored by a scale or by the extrusion, as text and in binary, and in the second reading.</summary>
@@ -81,7 +81,7 @@ public class SpanTests
 
         foreach (var file in (byte[][])[text.ToAscii(), text.ToBinary(oneByteCodes: false), text.ToBinary(oneByteCodes: true)])
         {
-            var drawing = Reading.Of(file);
+            var drawing = DxfReading.Of(file);
             Assert.Equal(2.0 * ((2.0 * HalfEllipse) + (2.0 * Math.Tau * 10.0)), Length(drawing), 1e-5);
             Assert.Empty(drawing.Diagnostics);
             Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(drawing)));
@@ -131,7 +131,7 @@ public class SpanTests
             .Section("TABLES", (0, "TABLE"), (2, "LAYER"), (0, "LAYER"), (2, "HIDDEN"), (70, 0), (62, -7), (0, "ENDTAB"))
             .Section("ENTITIES", [.. Ellipse(0.0, -6.28318530), (code, value)]).End();
 
-        Assert.DoesNotContain("DXF0060", Reading.Ids(Reading.Of(file)));
+        Assert.DoesNotContain("DXF0060", DxfReading.Ids(DxfReading.Of(file)));
     }
 
     internal static (int, object)[] Ellipse(double start, double end) => [(0, "ELLIPSE"), (10, 3.0), (20, 4.0), (11, 10.0), (21, 0.0), (40, 0.5), (41, start), (42, end)];
@@ -143,7 +143,7 @@ public class SpanTests
     private static (int, object)[] Hatch(string kind, double end, int counterClockwise) =>
         [(0, "HATCH"), (91, 1), (92, 1), (93, 1), (72, kind), (10, 0.0), (20, 0.0), .. (kind == "2" ? [(40, 5.0)] : ((int, object)[])[(11, 10.0), (21, 0.0), (40, 0.01)]), (50, 0.0), (51, end), (73, counterClockwise), (97, 0), (75, 0)];
 
-    private static Drawing Read((int, object)[] pairs) => Reading.Of(DxfText.WithEntities(pairs).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
+    private static Drawing Read((int, object)[] pairs) => DxfReading.Of(DxfText.WithEntities(pairs).ToAscii(), new DxfReadOptions(Cut: CutChoice.Hatch));
 
     /// <summary>A record of about 10 units.</summary>
     private static EntityRecord Record(string type)

@@ -11,7 +11,7 @@ public class SplineEvaluationTests
         for (var seed = 1; seed <= 300; seed++)
         {
             var spline = Spline.Random(new Random(seed));
-            var drawing = Reading.Entities(spline.Pairs());
+            var drawing = DxfReading.Entities(spline.Pairs());
             Assert.Empty(drawing.Diagnostics);
             var curve = Assert.Single(drawing.Curves);
 
@@ -43,7 +43,7 @@ public class SplineEvaluationTests
                 length += ((4.0 * Chords(places)) - Chords([.. places.Where((_, i) => i % 2 == 0)])) / 3.0;
             }
 
-            Assert.Equal(1.0, DrawingSummary.From(Reading.Entities(spline.Pairs())).Length.Total / length, 1e-8);
+            Assert.Equal(1.0, DrawingSummary.From(DxfReading.Entities(spline.Pairs())).Length.Total / length, 1e-8);
         }
     }
 

@@ -50,7 +50,7 @@ public class SplineWeightTests
         Assert.True(drawing.HasErrors);
     }
 
-    private static Core.Drawings.Drawing Read(double[] weights) => Reading.Entities(
+    private static Core.Drawings.Drawing Read(double[] weights) => DxfReading.Entities(
         [(0, "SPLINE"), (5, "A1"), (70, 4), (71, 3), .. new[] { 0.0, 0, 0, 0, 1, 1, 1, 1 }.Select(knot => (40, (object)knot)), .. weights.Select(weight => (41, (object)weight)), .. Places.SelectMany<(double X, double Y), (int, object)>(place => [(10, place.X), (20, place.Y)])]);
 
     /// <summary>Chords between parameters that are denser towards both ends by powers of ten, where a large weight determines most of the curve.</summary>

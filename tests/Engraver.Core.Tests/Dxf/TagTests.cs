@@ -25,17 +25,17 @@ public class TagTests
     [InlineData("\r")]
     [InlineData("\r\r\n")]
     public void Every_line_end_reads_the_same(string lineEnd) =>
-        Assert.Equal(Reading.Fingerprint(Reading.Of(Sample)), Reading.Fingerprint(Reading.Of(Sample.ToAscii(lineEnd))));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(Sample)), DxfReading.Fingerprint(DxfReading.Of(Sample.ToAscii(lineEnd))));
 
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
     public void Both_binary_layouts_read_like_text(bool oneByteCodes)
     {
-        var binary = Reading.Of(Sample.ToBinary(oneByteCodes));
+        var binary = DxfReading.Of(Sample.ToBinary(oneByteCodes));
 
         Assert.Equal("binary", binary.Encoding);
-        Assert.Equal(Reading.Fingerprint(Reading.Of(Sample)), Reading.Fingerprint(binary));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(Sample)), DxfReading.Fingerprint(binary));
         Assert.Equal(3, binary.Entities.Count);
     }
 
@@ -45,7 +45,7 @@ public class TagTests
         var text = Encoding.UTF8.GetString(Sample.ToAscii());
         var dressed = "\uFEFF999\nmade by hand\n\n" + text.Replace("  0\nLINE", "\t 0  \n  LINE ", StringComparison.Ordinal) + "\u001A\0\0";
 
-        Assert.Equal(Reading.Fingerprint(Reading.Of(text)), Reading.Fingerprint(Reading.Of(dressed)));
+        Assert.Equal(DxfReading.Fingerprint(DxfReading.Of(text)), DxfReading.Fingerprint(DxfReading.Of(dressed)));
     }
 
     [Fact]
@@ -55,7 +55,7 @@ public class TagTests
             var value = number.Get % 1e90;
             string[] formats = ["R", "E16", "F9", "G15", "0.0######;-.5"];
             var text = value.ToString(formats[format % formats.Length], CultureInfo.InvariantCulture);
-            var drawing = Reading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1e99), (21, 0));
+            var drawing = DxfReading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1e99), (21, 0));
             return drawing.Parts[0].A == double.Parse(text, CultureInfo.InvariantCulture);
         }).QuickCheckThrowOnFailure();
 
@@ -71,7 +71,7 @@ public class TagTests
     [InlineData("123456789012345678901234567890", 1.2345678901234568e29)]
     [InlineData("18446744073709551617", 18446744073709551617.0)] // one more than 64 bits hold
     public void Numbers_may_be_written_in_many_ways(string text, double value) =>
-        Assert.Equal(value, Reading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 1)).Parts[0].A);
+        Assert.Equal(value, DxfReading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 1)).Parts[0].A);
 
     [Theory]
     [InlineData("12,5", 12.5)]
@@ -80,7 +80,7 @@ public class TagTests
     [InlineData("1,5d-3", 0.0015)]
     public void A_decimal_comma_and_a_Fortran_exponent_are_read_with_a_warning(string text, double value)
     {
-        var drawing = Reading.Entities((0, "LINE"), (5, "A1"), (10, text), (20, 0), (11, 1), (21, 1));
+        var drawing = DxfReading.Entities((0, "LINE"), (5, "A1"), (10, text), (20, 0), (11, 1), (21, 1));
 
         Assert.Equal(value, drawing.Parts[0].A);
         var warning = Assert.Single(drawing.Diagnostics);
@@ -105,7 +105,7 @@ public class TagTests
     [InlineData("１２")]
     public void What_is_no_number_costs_its_entity_and_no_other(string text)
     {
-        var drawing = Reading.Entities((0, "LINE"), (5, "A1"), (10, text), (20, 0), (11, 1), (21, 1), (0, "CIRCLE"), (10, 0), (20, 0), (40, 1));
+        var drawing = DxfReading.Entities((0, "LINE"), (5, "A1"), (10, text), (20, 0), (11, 1), (21, 1), (0, "CIRCLE"), (10, 0), (20, 0), (40, 1));
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal(("LINE", "A1", "DXF0007"), (refused.Type, refused.Handle, refused.DiagnosticId));
@@ -120,7 +120,7 @@ public class TagTests
         {
             for (var length = 0; length < file.Length - 4; length++)
             {
-                var drawing = Reading.Of(file[..length]);
+                var drawing = DxfReading.Of(file[..length]);
 
                 Assert.True(drawing.HasErrors, $"{length} of {file.Length} bytes");
                 Assert.Equal(drawing.Balance.Read, drawing.Balance.Cut + drawing.Balance.Construction + drawing.Balance.Refused.Count);
@@ -147,8 +147,8 @@ public class TagTests
         foreach (var oneByteCodes in new[] { false, true })
         {
             var file = text.ToBinary(oneByteCodes).ToArray();
-            Assert.Equal("DXF0005", Reading.Ids(Reading.Of(file))[^1]); // no EOF
-            Assert.Equal(id, Reading.Ids(Reading.Of([.. file, .. new DxfText().End().ToBinary(oneByteCodes)[22..]]))[^1]);
+            Assert.Equal("DXF0005", DxfReading.Ids(DxfReading.Of(file))[^1]); // no EOF
+            Assert.Equal(id, DxfReading.Ids(DxfReading.Of([.. file, .. new DxfText().End().ToBinary(oneByteCodes)[22..]]))[^1]);
         }
     }
 
@@ -159,7 +159,7 @@ public class TagTests
             foreach (var file in new[] { Sample.ToAscii(), Sample.ToBinary(true), Sample.ToBinary(false) })
             {
                 foreach (var (where, what) in changes) file[(int)((uint)where % file.Length)] = what;
-                var balance = Reading.Of(file).Balance;
+                var balance = DxfReading.Of(file).Balance;
                 Assert.Equal(balance.Read, balance.Cut + balance.Construction + balance.Refused.Count);
             }
         }).QuickCheckThrowOnFailure();
@@ -167,16 +167,16 @@ public class TagTests
     [Fact]
     public void An_entity_that_the_end_of_the_file_cuts_is_not_guessed()
     {
-        var drawing = Reading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n10\n21\n12");
+        var drawing = DxfReading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n10\n21\n12");
 
         Assert.Equal(0, drawing.Entities.Count);
-        Assert.Contains("DXF0031", Reading.Ids(drawing));
+        Assert.Contains("DXF0031", DxfReading.Ids(drawing));
     }
 
     [Fact]
     public void After_a_lost_line_reading_goes_on_at_the_next_record()
     {
-        var drawing = Reading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nCUT\n10\n20\n0\n11\n1\n21\n1\n0\nCIRCLE\n8\nCUT\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
+        var drawing = DxfReading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nCUT\n10\n20\n0\n11\n1\n21\n1\n0\nCIRCLE\n8\nCUT\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
 
         Assert.Equal("Circle", TypesOf(drawing));
         Assert.Contains(drawing.Balance.Refused, refused => refused.Type == "LINE");
@@ -185,10 +185,10 @@ public class TagTests
     [Fact]
     public void An_empty_line_too_many_is_passed_over()
     {
-        var drawing = Reading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
+        var drawing = DxfReading.Of("0\nSECTION\n2\nENTITIES\n0\nLINE\n\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
 
         Assert.Equal("Line", TypesOf(drawing));
     }
 
-    private static string TypesOf(Core.Drawings.Drawing drawing) => string.Join(' ', Reading.Curves(drawing).Select(entity => entity.Type));
+    private static string TypesOf(Core.Drawings.Drawing drawing) => string.Join(' ', DxfReading.Curves(drawing).Select(entity => entity.Type));
 }

@@ -44,7 +44,7 @@ public class TextTests
     [Fact]
     public void A_text_keeps_place_size_style_and_alignment()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4)
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4)
             .Section("TABLES", (0, "TABLE"), (2, "STYLE"), (0, "STYLE"), (2, "Roman"), (3, "romans.shx"), (0, "ENDTAB"))
             .Section("ENTITIES", [(0, "TEXT"), (5, "2F"), (8, "Engrave"), (10, 1), (20, 2), (11, 30), (21, 40), (40, 2.5), (41, 0.8), (50, 15), (51, 10), (7, "ROMAN"), (72, 2), (73, 3), (1, "x")]).End());
         var text = Assert.Single(drawing.Texts);
@@ -76,7 +76,7 @@ public class TextTests
     public void Texts_of_blocks_and_attributes_are_placed_with_their_insert()
     {
         (int, object)[] inside = [(0, "TEXT"), (8, "0"), (10, 1), (20, 0), (40, 2), (1, "in")];
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. inside, (0, "ENDBLK")])
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. inside, (0, "ENDBLK")])
             .Section("ENTITIES", (0, "INSERT"), (8, "L"), (2, "B"), (10, 10), (20, 0), (41, 3), (42, 3), (50, 90), (66, 1), (0, "ATTRIB"), (10, 7), (20, 8), (40, 1), (1, "value"), (2, "TAG"), (70, 1), (0, "SEQEND")).End());
 
         Assert.Equal(["in", "value"], drawing.Texts.OrderBy(text => text.Content.Length).Select(text => text.Content));
@@ -92,7 +92,7 @@ public class TextTests
     {
         (int, object)[] Definition(string value, int flags) => [(0, "ATTDEF"), (8, "0"), (10, 1), (20, 0), (40, 2), (1, value), (3, ""), (2, "TAG"), (70, flags)];
         (int, object)[] insert = [(0, "INSERT"), (8, "L"), (2, "B"), (10, 10), (20, 0)];
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. Definition("SERIAL-1", 2), .. Definition("hidden", 3), .. Definition("asked", 0), (0, "ENDBLK")])
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. Definition("SERIAL-1", 2), .. Definition("hidden", 3), .. Definition("asked", 0), (0, "ENDBLK")])
             .Section("ENTITIES", [.. insert, .. insert, .. Definition("template", 2)]).End());
 
         Assert.Equal(["SERIAL-1", "SERIAL-1"], drawing.Texts.Where(text => !text.Hidden).Select(text => text.Content));
@@ -103,7 +103,7 @@ public class TextTests
     [Fact]
     public void A_mirrored_text_says_so()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "TEXT"), (10, 1), (20, 0), (40, 2), (1, "in"), (0, "ENDBLK"))
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "TEXT"), (10, 1), (20, 0), (40, 2), (1, "in"), (0, "ENDBLK"))
             .Section("ENTITIES", (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, -1), (0, "TEXT"), (10, 1), (20, 0), (40, 1), (1, "x"), (230, -1), (210, 0), (220, 0)).End());
 
         Assert.All(drawing.Texts, text => Assert.True(text.Mirrored));
@@ -113,11 +113,11 @@ public class TextTests
     [Fact]
     public void An_array_of_a_thousand_million_texts_is_counted_and_not_kept()
     {
-        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "TEXT"), (10, 1), (20, 0), (40, 2), (1, "in"), (0, "ENDBLK"))
+        var drawing = DxfReading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "TEXT"), (10, 1), (20, 0), (40, 2), (1, "in"), (0, "ENDBLK"))
             .Section("ENTITIES", (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (70, 32000), (71, 32000), (44, 1), (45, 1)).End());
 
         Assert.Equal((0, 1_024_000_000), (drawing.Texts.Count, drawing.Balance.TextCounts["TEXT"]));
-        Assert.Contains("DXF0039", Reading.Ids(drawing));
+        Assert.Contains("DXF0039", DxfReading.Ids(drawing));
     }
 
     [Fact]
@@ -126,7 +126,7 @@ public class TextTests
         var bytes = CodePagesEncodingProvider.Instance.GetEncoding(1251)!.GetBytes(Encoding.UTF8.GetString(new DxfText()
             .Section("HEADER", (9, "$ACADVER"), (1, "AC1015"), (9, "$DWGCODEPAGE"), (3, "ANSI_1251")).Section("ENTITIES", (0, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "Деталь №5")).End().ToAscii()));
 
-        Assert.Equal("Деталь №5", Assert.Single(Reading.Of(bytes).Texts).Content);
+        Assert.Equal("Деталь №5", Assert.Single(DxfReading.Of(bytes).Texts).Content);
     }
 
     /// <summary>Each code searches for its end only if there is one: a search to the end of the text for each of them would take minutes.</summary>
@@ -138,5 +138,5 @@ public class TextTests
         Assert.Equal("x;y", Single((0, "MTEXT"), (10, 0), (20, 0), (40, 1), (1, "x;" + codes + "y")).Content);
     }
 
-    private static PlacedText Single(params ReadOnlySpan<(int Code, object Value)> pairs) => Assert.Single(Reading.Entities(pairs).Texts);
+    private static PlacedText Single(params ReadOnlySpan<(int Code, object Value)> pairs) => Assert.Single(DxfReading.Entities(pairs).Texts);
 }

@@ -29,7 +29,7 @@ internal sealed class ArcSplineOptimum
         for (int first = 0, end; first < curve.Spans.Length; first = end)
         {
             for (end = first + 1; end < curve.Spans.Length && IsSmooth(curve.Spans[end - 1], curve.Spans[end]);) end++;
-            if (Of(curve.Spans[first..end].ToArray(), tolerance).Fewest() is not { } pieces) return null;
+            if (Of(curve.Spans[first..end].ToArray(), tolerance).FindFewest() is not { } pieces) return null;
             sum += pieces;
         }
 
@@ -46,7 +46,7 @@ internal sealed class ArcSplineOptimum
         return new ArcSplineOptimum([.. places.Select(curve.PointAt)], [.. places.Where((_, i) => i % SamplesPerKnot == 0).Select(curve.TangentAt)], tolerance);
     }
 
-    private int? Fewest()
+    private int? FindFewest()
     {
         var fewest = new int?[Knots + 1];
         fewest[0] = 0;

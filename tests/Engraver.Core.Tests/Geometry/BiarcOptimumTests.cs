@@ -9,7 +9,7 @@ namespace Engraver.Core.Tests.Geometry;
 /// <summary>Compares the number of arcs with the minimum found by dynamic programming.</summary>
 public class BiarcOptimumTests
 {
-    private const double Most = 1.3;
+    private const double MaxRatio = 1.3;
 
     [Theory]
     [InlineData(0.001)]
@@ -49,7 +49,7 @@ public class BiarcOptimumTests
             {
                 if (!(curve.PlanLength is > 0.001 and < 1000.0) || ArcSplineOptimum.Pieces(curve, 0.01) is not { } fewest) continue;
                 judged++;
-                Assert.True(BiarcFit.Fit(curve, 0.01).Count <= Most * fewest, $"{path}: {BiarcFit.Fit(curve, 0.01).Count} pieces, {fewest} would do");
+                Assert.True(BiarcFit.Fit(curve, 0.01).Count <= MaxRatio * fewest, $"{path}: {BiarcFit.Fit(curve, 0.01).Count} pieces, {fewest} would do");
             }
         }
 
@@ -70,6 +70,6 @@ public class BiarcOptimumTests
 
         Assert.True(ratios.Count >= curves.Length / 2, $"Only {ratios.Count} curves could be judged.");
         Assert.InRange(ratios.Average(), 0.0, 1.05);
-        Assert.InRange(ratios.Max(), 0.0, Most);
+        Assert.InRange(ratios.Max(), 0.0, MaxRatio);
     }
 }

@@ -117,8 +117,8 @@ public class KerfCompensationTests
         OffsetContour drawn = new([Segment.FromArc(new ArcSegment(default, 5.0, Angle.Zero, Angle.FullTurn))], true);
         OffsetLoop wrong = new([Segment.FromArc(new ArcSegment(default, 7.1, Angle.Zero, Angle.FullTurn))], true) { Sources = [new OffsetSource(0, 0, IsJoin: false)] };
 
-        Assert.Equal(0.1, new KerfCheck([drawn], [wrong], Options(KerfSide.Outside, 4.0, false)).FarthestOff()!.Value.Distance, 9);
-        Assert.Null(new KerfCheck([drawn], [wrong], Options(KerfSide.Outside, 4.2, false)).FarthestOff());
+        Assert.Equal(0.1, new KerfCheck([drawn], [wrong], Options(KerfSide.Outside, 4.0, false)).MaxDeviation()!.Value.Distance, 9);
+        Assert.Null(new KerfCheck([drawn], [wrong], Options(KerfSide.Outside, 4.2, false)).MaxDeviation());
     }
 
     private static (int, object)[] Vertex(double x, double y, double z) => [(0, "VERTEX"), (70, 32), (10, x), (20, y), (30, z)];
@@ -127,7 +127,7 @@ public class KerfCompensationTests
 
     private static KerfResult Compensated(KerfSide side, double diameter, (int, object)[] entities, bool cutsHeights = false)
     {
-        var drawing = Reading.Entities(entities);
+        var drawing = DxfReading.Entities(entities);
         var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, UsualOptions.Sequencing with { CutsHeights = cutsHeights });
         return KerfCompensation.Compensate(chained, Options(side, diameter, cutsHeights));
     }

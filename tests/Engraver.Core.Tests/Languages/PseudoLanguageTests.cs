@@ -22,13 +22,13 @@ public class PseudoLanguageTests
     [InlineData("⟦Ļéåð⟧ ‹LINE ‹X›› 5 [Yes/No]", "")]
     [InlineData("⟦Ļéåð⟧ line of text", "line|of|text")]
     [InlineData("x⟦ļ⟧y", "x|y")]
-    public void Plain_letters_outside_of_marks_are_found(string shown, string expected) => Assert.Equal(expected, string.Join('|', PseudoLanguage.Unspoken(shown)));
+    public void Plain_letters_outside_of_marks_are_found(string shown, string expected) => Assert.Equal(expected, string.Join('|', PseudoLanguage.UnmarkedWords(shown)));
 
     [Fact]
     public void Every_diagnostic_speaks_the_language_of_now()
     {
-        Spoken.InPseudoLanguage(() => Assert.All(DiagnosticTable.All, rule =>
-            Assert.Empty(PseudoLanguage.Unspoken(rule.At(new SourceRef(1), [.. rule.FactNames.Select(_ => "LINE")]).Message))));
+        PseudoText.InPseudoLanguage(() => Assert.All(DiagnosticTable.All, rule =>
+            Assert.Empty(PseudoLanguage.UnmarkedWords(rule.At(new SourceRef(1), [.. rule.FactNames.Select(_ => "LINE")]).Message))));
     }
 
     [Fact]
@@ -37,10 +37,10 @@ public class PseudoLanguageTests
         var finding = DxfRules.EmptyFile.At(default);
 
         Assert.Equal("The file is empty.", finding.Sentence);
-        Spoken.InPseudoLanguage(() => Assert.Equal("⟦Ţĥé ƒîļé îš éɱþţý.⟧", finding.Sentence));
+        PseudoText.InPseudoLanguage(() => Assert.Equal("⟦Ţĥé ƒîļé îš éɱþţý.⟧", finding.Sentence));
     }
 
-    private static class Spoken
+    private static class PseudoText
     {
         public static void InPseudoLanguage(Action act)
         {

@@ -30,15 +30,15 @@ public sealed class SystemReasonTests
     {
         var missing = Path.Combine(Path.GetTempPath(), "engraver-nowhere", "part.dxf");
 
-        Assert.Equal($"{missing}: the folder does not exist", SystemReason.WithPath(Assert.ThrowsAny<IOException>(() => File.ReadAllText(missing))));
+        Assert.Equal($"{missing}: the folder does not exist", SystemErrorText.WithPath(Assert.ThrowsAny<IOException>(() => File.ReadAllText(missing))));
     }
 
     [Fact]
     public void Own_messages_stay_and_damaged_JSON_names_its_line()
     {
-        Assert.Equal("The folder is a pipe", SystemReason.Of(new IOException("The folder is a pipe.")));
+        Assert.Equal("The folder is a pipe", SystemErrorText.FromException(new IOException("The folder is a pipe.")));
         Assert.Equal("line 2 is not valid JSON", Of(() => JsonDocument.Parse("{\n \"a\": }")));
     }
 
-    private static string Of(Action refused) => SystemReason.Of(Assert.ThrowsAny<Exception>(refused));
+    private static string Of(Action refused) => SystemErrorText.FromException(Assert.ThrowsAny<Exception>(refused));
 }

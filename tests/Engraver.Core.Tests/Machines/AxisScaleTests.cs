@@ -25,7 +25,7 @@ public class AxisScaleTests
 
         Assert.Equal((800.0, 1000.0), (scale.Coarser.CountsPerMillimetre, scale.Finer.CountsPerMillimetre));
         Assert.Equal(Math.Sqrt(1e6 + 64e4 + 16e4), scale.Diagonal.CountsPerMillimetre);
-        Assert.False(scale.KeepsCircles);
+        Assert.False(scale.IsUniform);
     }
 
     [Fact]

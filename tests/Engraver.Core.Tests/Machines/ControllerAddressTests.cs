@@ -14,7 +14,7 @@ public class ControllerAddressTests
         Assert.Equal(new SerialAddress("/dev/ttyUSB0", 115200, SerialFlow.None), ControllerAddress.Parse("serial:///dev/ttyUSB0?baud=115200&flow=none"));
         Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.XonXoff), ControllerAddress.Parse("serial:///dev/ttyS0?flow=xonxoff"));
         Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.RtsCts), ControllerAddress.Parse("serial:///dev/ttyS0?flow=rtscts"));
-        Assert.Equal(new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = false }, ControllerAddress.Parse("sim:"));
+        Assert.Equal(new SimulatedAddress(double.PositiveInfinity) { HasExplicitSpeed = false }, ControllerAddress.Parse("sim:"));
         Assert.Equal(new SimulatedAddress(double.PositiveInfinity), ControllerAddress.Parse("sim:?speed=max"));
         Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
     }

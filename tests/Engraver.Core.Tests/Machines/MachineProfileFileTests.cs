@@ -72,11 +72,11 @@ public class MachineProfileFileTests
             new MachineAxis('B', -1000) { Travel = new AxisTravel(0, 200), Homing = y });
         var profile = MachineProfile.Default with
         {
-            Axes = axes, JogMmPerMinute = 120, Inputs = new LineNames([KeyValuePair.Create(3, "door")]), Outputs = new LineNames([KeyValuePair.Create(1, "laser"), KeyValuePair.Create(2, "fan")]),
+            Axes = axes, JogMmPerMinute = 120, Inputs = new IoLineNames([KeyValuePair.Create(3, "door")]), Outputs = new IoLineNames([KeyValuePair.Create(1, "laser"), KeyValuePair.Create(2, "fan")]),
         };
 
         Assert.Equal(profile, MachineProfileFile.Read(MachineProfileFile.Write(profile), s_limits).Profile);
-        Assert.NotEqual(profile, profile with { Inputs = new LineNames([KeyValuePair.Create(3, "lid")]) });
+        Assert.NotEqual(profile, profile with { Inputs = new IoLineNames([KeyValuePair.Create(3, "lid")]) });
     }
 
     [Theory]
@@ -208,7 +208,7 @@ public class MachineProfileFileTests
         var profile = MachineProfile.Default with
         {
             Axes = new MachineAxes(new MachineAxis('C', -80.0) { Travel = new AxisTravel(0, 300), Homing = new AxisHoming { Plus = false, Zero = -1 } }, new MachineAxis('A', 160.0)),
-            AccelerationCounts = 40960, Rates = new JobRates(60, 2.5), ToolActiveLow = true, Outputs = new LineNames([KeyValuePair.Create(3, "air")]),
+            AccelerationCounts = 40960, Rates = new JobRates(60, 2.5), ToolActiveLow = true, Outputs = new IoLineNames([KeyValuePair.Create(3, "air")]),
         };
         var meaning = ProfileMeaning.Of(profile);
 

@@ -38,7 +38,7 @@ public class TravelLimitsTests
         Assert.Equal(new MotionExtents(-1000, -70, 1000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program));
         Assert.Equal(new MotionExtents(-1000, -70, 2000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program with { Finish = new CountsPoint(2000, 0) }));
         var clockwise = program with { Strokes = [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc with { DeltaDegrees = -180.0 }])])] };
-        Assert.Equal(-1000, MotionExtents.Of(clockwise).LeastY);
+        Assert.Equal(-1000, MotionExtents.Of(clockwise).MinY);
     }
 
     /// <summary>Cuts from 0.5 to 2 mm deep under rapids at 5 mm, on an axis that counts upwards or downwards.</summary>
@@ -52,10 +52,10 @@ public class TravelLimitsTests
         var program = Slope(Mill(scaleZ));
 
         Assert.Equal(new CountsRange(least, most), MotionExtents.Of(program).Heights(program.Profile, dryRun));
-        Assert.Equal(700 * Math.Sign(scaleZ), DryLift.Of(program));
+        Assert.Equal(700 * Math.Sign(scaleZ), DryRunLift.Of(program));
         var drawn = program with { Profile = program.Profile with { Height = null } };
         Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // the tool is an output: the height is unchanged
-        Assert.Equal(0, DryLift.Of(drawn));
+        Assert.Equal(0, DryRunLift.Of(drawn));
         Assert.Null(MotionExtents.Of(program with { Strokes = [] }).Heights(program.Profile, dryRun));
     }
 
@@ -77,17 +77,17 @@ public class TravelLimitsTests
             var program = Slope(Mill(scaleZ));
             var refused = TravelLimits.Refusal(program.Profile, program, frame, dryRun);
             Assert.Equal(said, refused is null ? null : $"{refused.Id} {string.Join(' ', refused.Facts)}");
-            var found = WorkPlacement.Within(new PlacementResult(frame, OriginSource.Given, null), program, dryRun, MachineMemory.Empty, new ControllerPlace(default));
-            Assert.Equal((said?[..7], said is null, said is null), (found.Refusal?.Id, found.Frame is not null, found.StaysInside));
+            var found = WorkPlacement.Within(new PlacementResult(frame, OriginSource.Given, null), program, dryRun, StoredMachineState.Empty, new ControllerPosition(default));
+            Assert.Equal((said?[..7], said is null, said is null), (found.Refusal?.Id, found.Frame is not null, found.IsWithinTravel));
         }
     }
 
     [Fact]
     public void Where_nobody_knows_the_travel_nothing_was_held_against_it()
     {
-        var found = WorkPlacement.Within(new PlacementResult(default(CountsPoint), OriginSource.Here, null), Slope(Mill(100)), dryRun: false, MachineMemory.Empty with { Lost = "it slipped" }, new ControllerPlace(default));
+        var found = WorkPlacement.Within(new PlacementResult(default(CountsPoint), OriginSource.Here, null), Slope(Mill(100)), dryRun: false, StoredMachineState.Empty with { Lost = "it slipped" }, new ControllerPosition(default));
 
-        Assert.Equal((true, false), (found.Frame is not null, found.StaysInside));
+        Assert.Equal((true, false), (found.Frame is not null, found.IsWithinTravel));
     }
 
     private static MachineProfile Mill(double scaleZ) => MachineProfile.Default with
@@ -108,7 +108,7 @@ public class TravelLimitsTests
     {
         var line = new VectorSegment(VectorSegmentKind.Line, new CountsPoint(5000, 0), 0, 0, 0, 0, 5000);
         var program = new MotionProgram(Profile(), default, [new MotionStroke(0, default, [new VectorSequence(default, 1000, [line])])]);
-        PlacementResult At(int x) => WorkPlacement.Within(new PlacementResult(new CountsPoint(x, 0), OriginSource.Given, null), program, dryRun: false, MachineMemory.Empty, new ControllerPlace(default));
+        PlacementResult At(int x) => WorkPlacement.Within(new PlacementResult(new CountsPoint(x, 0), OriginSource.Given, null), program, dryRun: false, StoredMachineState.Empty, new ControllerPosition(default));
 
         Assert.NotNull(At(25000).Frame);
         Assert.Equal((null, "JOB0030"), (At(25001).Frame, At(25001).Refusal?.Id));
@@ -118,14 +118,14 @@ public class TravelLimitsTests
     public void Without_homing_the_travel_counts_from_the_controllers_zero_and_with_it_from_where_it_was_homed()
     {
         var homing = Profile() with { Axes = Profile().Axes with { X = Profile().Axes.X with { Homing = new AxisHoming() } } };
-        var place = new ControllerPlace(default, Mark: 7);
-        var homed = MachineMemory.Empty with { Mark = 7, HomedAs = homing.HomedAs };
+        var place = new ControllerPosition(default, Mark: 7);
+        var homed = StoredMachineState.Empty with { Mark = 7, HomedAs = homing.HomedAs };
 
-        Assert.True(MachineMemory.Empty.KnowsTravel(Profile(), place));
-        Assert.False(MachineMemory.Empty.KnowsTravel(Profile(), place with { Doubt = "the motor is off" }));
-        Assert.False(MachineMemory.Empty.KnowsTravel(homing, place));
-        Assert.True(homed.KnowsTravel(homing, place));
-        Assert.False(homed.KnowsTravel(homing, place with { Mark = 8 }));
-        Assert.False((homed with { Lost = "it slipped" }).KnowsTravel(homing, place));
+        Assert.True(StoredMachineState.Empty.IsTravelKnown(Profile(), place));
+        Assert.False(StoredMachineState.Empty.IsTravelKnown(Profile(), place with { Doubt = "the motor is off" }));
+        Assert.False(StoredMachineState.Empty.IsTravelKnown(homing, place));
+        Assert.True(homed.IsTravelKnown(homing, place));
+        Assert.False(homed.IsTravelKnown(homing, place with { Mark = 8 }));
+        Assert.False((homed with { Lost = "it slipped" }).IsTravelKnown(homing, place));
     }
 }

@@ -52,9 +52,9 @@ public class RemainingProgramTests
     {
         var (program, part, within, _) = input;
         var place = PlaceAt(program, part, within);
-        if (program.SegmentBehind(place.Segments) is not var (start, segment, _)) return true;
-        var at = CountsScale.Round(new SegmentCourse(start, segment).At(place.Along));
-        var found = PlaceOnProgram.Find(program, place.Segments, at, 2.5);
+        if (program.SegmentAfter(place.Segments) is not var (start, segment, _)) return true;
+        var at = CountsScale.Round(new SegmentPath(start, segment).At(place.Along));
+        var found = ProgramPositionFinder.Find(program, place.Segments, at, 2.5);
         Assert.InRange(CutBefore(program, found), CutBefore(program, place) - 3.5, CutBefore(program, place) + 3.5);
         return true;
     }).QuickCheckThrowOnFailure();
@@ -64,12 +64,12 @@ public class RemainingProgramTests
     {
         var program = Random(3, 5);
         Assert.Equal(program.Strokes, RemainingProgram.From(program, default, 100.0, Keep).Program.Strokes.Select((stroke, i) => stroke with { Sequences = program.Strokes[i].Sequences }));
-        Assert.Empty(RemainingProgram.From(program, new JobPlace(program.SegmentCount, 0.0), 100.0, Keep).Program.Strokes);
+        Assert.Empty(RemainingProgram.From(program, new JobPosition(program.SegmentCount, 0.0), 100.0, Keep).Program.Strokes);
     }
 
     [Fact]
     public void A_position_that_is_nowhere_near_counts_nothing_as_cut() =>
-        Assert.Equal(new JobPlace(2, 0.0), PlaceOnProgram.Find(Random(3, 5), 2, new CountsPoint(900_000, 900_000), 2.5));
+        Assert.Equal(new JobPosition(2, 0.0), ProgramPositionFinder.Find(Random(3, 5), 2, new CountsPoint(900_000, 900_000), 2.5));
 
     private static double Keep(double degrees) => Math.Round(degrees / Quantum) * Quantum;
 
@@ -79,8 +79,8 @@ public class RemainingProgramTests
         var index = rest.SegmentsBefore;
         foreach (var (start, segment) in Flat(rest.Program))
         {
-            var (begin, planned, _) = program.SegmentBehind(index++)!.Value;
-            var (mine, whole) = (new SegmentCourse(start, segment), new SegmentCourse(begin, planned));
+            var (begin, planned, _) = program.SegmentAfter(index++)!.Value;
+            var (mine, whole) = (new SegmentPath(start, segment), new SegmentPath(begin, planned));
             for (var i = 0; i <= 8; i++) Assert.InRange(whole.DistanceTo(mine.At(segment.Length * i / 8.0)), 0.0, 2.0);
             Assert.InRange(Distance(segment.End, planned.End), 0.0, 2.0);
         }
@@ -99,14 +99,14 @@ public class RemainingProgramTests
         }
     }
 
-    private static double CutBefore(MotionProgram program, JobPlace place) => Flat(program).Take(place.Segments).Sum(one => one.Segment.Length) + place.Along;
+    private static double CutBefore(MotionProgram program, JobPosition place) => Flat(program).Take(place.Segments).Sum(one => one.Segment.Length) + place.Along;
 
     private static double Length(MotionProgram program) => Flat(program).Sum(one => one.Segment.Length);
 
-    private static JobPlace PlaceAt(MotionProgram program, double part, double within)
+    private static JobPosition PlaceAt(MotionProgram program, double part, double within)
     {
         var segments = (int)(part * program.SegmentCount);
-        return program.SegmentBehind(segments) is var (_, segment, _) ? new JobPlace(segments, within * segment.Length) : new JobPlace(segments, 0.0);
+        return program.SegmentAfter(segments) is var (_, segment, _) ? new JobPosition(segments, within * segment.Length) : new JobPosition(segments, 0.0);
     }
 
     private static double Distance(CountsPoint a, CountsPoint b) => new Point2D(a.X, a.Y).DistanceTo(new Point2D(b.X, b.Y));
@@ -148,6 +148,6 @@ public class RemainingProgramTests
     {
         var (radius, theta, delta) = (random.Next(20, 4000), Keep(random.NextDouble() * 360.0), Keep((random.NextDouble() < 0.5 ? -1.0 : 1.0) * (15.0 + (random.NextDouble() * 345.0))));
         var arc = new VectorSegment(VectorSegmentKind.Arc, default, radius, theta, delta, random.Next(100), radius * Math.Abs(delta) * Math.PI / 180.0);
-        return arc with { End = CountsScale.Round(new SegmentCourse(from, arc).At(arc.Length)) };
+        return arc with { End = CountsScale.Round(new SegmentPath(from, arc).At(arc.Length)) };
     }
 }

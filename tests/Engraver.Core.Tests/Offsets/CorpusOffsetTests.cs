@@ -36,7 +36,7 @@ public class CorpusOffsetTests
 
     private static IEnumerable<OffsetContour> ClosedOf(string file)
     {
-        var drawing = Reading.Of(File.ReadAllBytes(file));
+        var drawing = DxfReading.Of(File.ReadAllBytes(file));
         var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, UsualOptions.Sequencing);
         var rows = chained.Segments.ToArray();
         foreach (var contour in chained.Chain.Contours.Where(contour => contour.Closed))

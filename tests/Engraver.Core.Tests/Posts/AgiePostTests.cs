@@ -216,7 +216,7 @@ public class AgiePostTests
         return [Segment.FromLine(entry, large.Start), large, Segment.FromLine(large.End, small.Start), small, Segment.FromLine(small.End, large.Start)];
     }
 
-    private static PostText Written(Toolpath path, string style) => new AgiePost().Write(UsualOptions.Post(path, null, null, new Dictionary<string, string> { ["style"] = style }));
+    private static PostOutput Written(Toolpath path, string style) => new AgiePost().Write(UsualOptions.Post(path, null, null, new Dictionary<string, string> { ["style"] = style }));
 
     private static Toolpath Path(params Segment[][] strokes) => new(default, [.. strokes.Select((segments, index) => new ToolpathStroke(index, segments[0].Start == segments[^1].End, [.. segments.Select((segment, entity) => new StrokeMove(segment, entity))]))]);
 

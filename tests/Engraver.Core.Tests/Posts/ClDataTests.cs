@@ -68,11 +68,11 @@ public class ClDataTests
         Assert.Contains("2A", written.Diagnostics[0].Message, StringComparison.Ordinal);
     }
 
-    private static ClEntity EntityOf(string text, string type)
+    private static ClDataEntity EntityOf(string text, string type)
     {
         var lines = text.Split('\n');
         var at = Array.IndexOf(lines, type) + 1;
-        var entity = new ClEntity(type, at);
+        var entity = new ClDataEntity(type, at);
         for (; lines[at] != "0"; at += 2) entity.Add(int.Parse(lines[at], CultureInfo.InvariantCulture), lines[at + 1]);
         return entity;
     }

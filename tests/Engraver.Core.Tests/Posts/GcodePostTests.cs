@@ -103,7 +103,7 @@ public class GcodePostTests
             var arc = Arc((random.NextDouble() - 0.5) * 200.0, (random.NextDouble() - 0.5) * 200.0, radius, random.NextDouble() * 360.0, Math.Min(sweep, 359.9) * (random.Next(2) == 0 ? 1.0 : -1.0));
             if (arc.Length < 0.01) continue;
             var text = Written([[arc]], MachineProfile.Default with { FeedMmPerMinute = 600.0 }, ("dialect", dialect)).Text;
-            var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(controller), text);
+            var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(controller), text);
 
             Assert.Equal("", found);
             var why = FormattableString.Invariant($"{radius} {arc.Arc.Sweep.Degrees}\n{text}");
@@ -135,13 +135,13 @@ public class GcodePostTests
         }
     }
 
-    private static PostText Written(Segment[][] strokes, MachineProfile? machine = null, params (string Name, string Value)[] options) =>
+    private static PostOutput Written(Segment[][] strokes, MachineProfile? machine = null, params (string Name, string Value)[] options) =>
         new GcodePost().Write(Request([.. strokes.Select(segments => segments.Select((segment, entity) => new StrokeMove(segment, entity)).ToArray())], machine ?? MachineProfile.Default, options));
 
     private static PostRequest Request(StrokeMove[][] strokes, MachineProfile machine, params (string Name, string Value)[] options) =>
         UsualOptions.Post(new Toolpath(default, [.. strokes.Select((moves, index) => new ToolpathStroke(index, Closed: false, moves))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)) with { Machine = machine };
 
-    private static string Ids(PostText written) => string.Join(' ', written.Diagnostics.Select(finding => finding.Id));
+    private static string Ids(PostOutput written) => string.Join(' ', written.Diagnostics.Select(finding => finding.Id));
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
 

@@ -25,7 +25,7 @@ public class GcodeReaderTests
     [InlineData("G0 X1 Y1\nG91 M3\nG3 X-2 Y0 I-1 F1", 0, 1, 1, 180)]
     public async Task An_arc_is_the_one_that_its_words_mean(string text, double x, double y, double radius, double sweep)
     {
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), text + "\nM5\nM2\n");
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), text + "\nM5\nM2\n");
 
         Assert.Equal("", found);
         Assert.Equal(sweep, told.Cuts.Sum(cut => cut.Arc.Sweep.Degrees), 1e-6);
@@ -46,7 +46,7 @@ public class GcodeReaderTests
     [InlineData("G2 X2 Y0 F1 R0.998", false)]
     [InlineData("G2 X2 Y0 F1 R0.999", true)]
     public async Task The_ends_of_an_arc_are_as_far_from_its_centre_as_the_controllers_demand(string arc, bool isTaken) =>
-        Assert.Equal(isTaken ? "" : "PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\n{arc}\nM2\n")).Findings);
+        Assert.Equal(isTaken ? "" : "PST0001@3", (await RecordingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\n{arc}\nM2\n")).Findings);
 
     [Theory]
     [InlineData("G61", "G1 X9", 0.0)]
@@ -66,7 +66,7 @@ public class GcodeReaderTests
     public async Task How_far_path_control_may_leave_the_path_is_told_with_the_first_cut_under_it(string mode, string cut, double most)
     {
         var text = $"G0 X0 Y0\n{mode}\nM3\nF600\n{cut}\nM5\nM2\n";
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), text);
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), text);
 
         Assert.Equal("", found);
         Assert.Equal(most, told.Blends.Largest, 1e-12);
@@ -80,12 +80,12 @@ public class GcodeReaderTests
     [InlineData("G0 Z5")]
     [InlineData("G2 X2 Y0 I1 Z-1")]
     public async Task A_program_that_moves_Z_is_refused_for_a_machine_without_a_tool_axis(string move) =>
-        Assert.Equal("PST0001@4", (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\nF600\n{move}\nM5\nM2\n")).Findings);
+        Assert.Equal("PST0001@4", (await RecordingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\nF600\n{move}\nM5\nM2\n")).Findings);
 
     [Fact]
     public async Task A_beam_of_no_power_cuts_nothing()
     {
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), "G0 X0 Y0\nM3 S0\nF600\nG1 X9\nS500\nG1 X12\nM5\nM2\n");
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), "G0 X0 Y0\nM3 S0\nF600\nG1 X9\nS500\nG1 X12\nM5\nM2\n");
 
         Assert.Equal("", found);
         var cut = Assert.Single(told.Cuts);
@@ -101,19 +101,19 @@ public class GcodeReaderTests
     {
         var mill = MachineProfile.Default with { Height = new HeightDrive(), Spindle = new Spindle() };
 
-        Assert.Equal(expected, (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 Z{mill.Height.RetractHeight}\nG0 X0 Y0\n{spindle}\nG1 Z-1 F300\nG1 X9\nG0 Z{mill.Height.RetractHeight}\nM5\nM2\n", mill)).Findings);
+        Assert.Equal(expected, (await RecordingJudge.ReadAsync(new GcodeReader(), $"G0 Z{mill.Height.RetractHeight}\nG0 X0 Y0\n{spindle}\nG1 Z-1 F300\nG1 X9\nG0 Z{mill.Height.RetractHeight}\nM5\nM2\n", mill)).Findings);
     }
 
     [Fact]
-    public async Task Grbl_runs_every_path_exactly() => Assert.Equal(0.0, (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), "G0 X0 Y0\nM3\nG1 X9 F600\nM5\nM2\n")).Told.Blends.Largest);
+    public async Task Grbl_runs_every_path_exactly() => Assert.Equal(0.0, (await RecordingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), "G0 X0 Y0\nM3\nG1 X9 F600\nM5\nM2\n")).Told.Blends.Largest);
 
     /// <summary>rs274-hpgl.md 1.3: from a radius of 1 mm to an end 1.004 mm from the centre.</summary>
     [Fact]
     public async Task An_arc_whose_ends_are_not_as_far_from_the_centre_spirals_on_LinuxCNC_and_keeps_its_first_radius_on_grbl()
     {
         const string Arc = "G0 X0 Y0\nM3\nG2 X2.004 Y0 I1 F600\nM5\nM2\n";
-        var spiral = (await TellingJudge.ReadAsync(new GcodeReader(), Arc)).Told.Cuts;
-        var round = (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Told.Cuts;
+        var spiral = (await RecordingJudge.ReadAsync(new GcodeReader(), Arc)).Told.Cuts;
+        var round = (await RecordingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Told.Cuts;
 
         Assert.All(spiral.Zip(spiral.Skip(1)), pair => Assert.True(pair.First.Arc.Radius < pair.Second.Arc.Radius));
         Assert.All(round.SkipLast(1), cut => Assert.Equal(1.0, cut.Arc.Radius, Round));
@@ -128,8 +128,8 @@ public class GcodeReaderTests
     {
         const string Arc = "G0 X0 Y0\nM3\nG2 X200.10005 Y0 I100 F600\nM5\nM2\n";
 
-        Assert.Equal("", (await TellingJudge.ReadAsync(new GcodeReader(), Arc)).Findings);
-        Assert.Equal("PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Findings);
+        Assert.Equal("", (await RecordingJudge.ReadAsync(new GcodeReader(), Arc)).Findings);
+        Assert.Equal("PST0001@3", (await RecordingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Findings);
     }
 
     [Theory]
@@ -140,7 +140,7 @@ public class GcodeReaderTests
     [InlineData("F600 G1 X1 Y2 M3 S5")]
     public async Task Spaces_case_order_and_comments_mean_nothing(string line)
     {
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\n{line}\nM30\n");
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\n{line}\nM30\n");
 
         Assert.Equal(("", new Point2D(1, 2)), (found, Assert.Single(told.Cuts).End));
         Assert.Null(told.Feeds.Finding);
@@ -198,7 +198,7 @@ public class GcodeReaderTests
     [InlineData("%")]
     [InlineData("ü")]
     public async Task What_a_controller_refuses_or_the_program_does_not_say_is_one_finding_at_its_line(string line) =>
-        Assert.Equal("PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(), $"G54 G0 X0 Y0\nM3\n{line}\nM2\n")).Findings);
+        Assert.Equal("PST0001@3", (await RecordingJudge.ReadAsync(new GcodeReader(), $"G54 G0 X0 Y0\nM3\n{line}\nM2\n")).Findings);
 
     [Theory]
     [InlineData("", "VER0001@0")]
@@ -214,7 +214,7 @@ public class GcodeReaderTests
     [InlineData("G91 G1 X1 Y1 F5\nM2\n", "PST0001@1")]
     [InlineData("G2 X1 Y1 I1 F5\nM2\n", "PST0001@1")]
     [InlineData("G0 X1 Y1\nM64 P0\nG1 X2 F5\nM2\n", "PST0001@4")] // the output stays on
-    public async Task A_program_has_an_end_and_says_where_it_begins(string text, string findings) => Assert.Equal(findings, (await TellingJudge.ReadAsync(new GcodeReader(), text)).Findings);
+    public async Task A_program_has_an_end_and_says_where_it_begins(string text, string findings) => Assert.Equal(findings, (await RecordingJudge.ReadAsync(new GcodeReader(), text)).Findings);
 
     [Theory]
     [InlineData("%\nG0 X0 Y0\nM2\n%", "PST0001@1")]
@@ -229,12 +229,12 @@ public class GcodeReaderTests
     [InlineData("G0 X00000000000000000000000000000000000000000000000000000000000000000000000001 Y0\nM2", "")] // 79 characters that count
     [InlineData("G0 X000000000000000000000000000000000000000000000000000000000000000000000000001 Y0\nM2", "PST0001@1")]
     [InlineData("G0 X0 Y0 (blanks and comments do not count, however many of them may stand on a line of it)\nM2", "")]
-    public async Task Grbl_has_limits_of_its_own(string text, string findings) => Assert.Equal(findings, (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), text)).Findings);
+    public async Task Grbl_has_limits_of_its_own(string text, string findings) => Assert.Equal(findings, (await RecordingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), text)).Findings);
 
     [Fact]
     public async Task The_codes_of_a_line_are_done_in_the_order_of_the_language()
     {
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), "G0 X0 Y0\nG1 X5 F600 M3\nM5 X9\nM2\n");
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), "G0 X0 Y0\nG1 X5 F600 M3\nM5 X9\nM2\n");
 
         Assert.Equal("", found);
         Assert.Equal((new Point2D(0, 0), new Point2D(5, 0)), (Assert.Single(told.Cuts).Start, told.Cuts[0].End)); // M3 before the motion, and M5 too
@@ -244,13 +244,13 @@ public class GcodeReaderTests
     public async Task A_tool_axis_tells_heights_and_a_rapid_into_the_work_is_no_feed()
     {
         var mill = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 1000.0) }, Height = new HeightDrive() };
-        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), "G0 Z5\nG0 X1 Y1\nG0 Z1\nG1 Z-1 F300\nG2 X3 Y1 I1 Z-1.5 F600\nG0 Z5\nM2\n", mill);
+        var (found, told) = await RecordingJudge.ReadAsync(new GcodeReader(), "G0 Z5\nG0 X1 Y1\nG0 Z1\nG1 Z-1 F300\nG2 X3 Y1 I1 Z-1.5 F600\nG0 Z5\nM2\n", mill);
 
         Assert.Equal(("", -1.5), (found, told.Feeds.Lowest));
         Assert.Empty(told.Cuts);
         Assert.All(told.Places.Where(place => place.Cutting), place => Assert.True(place.ZMm < 1.0));
         Assert.Contains(told.Places, place => place.Cutting && place.Place.IsNear(new Point2D(2, 2), 0.03) && Math.Abs(place.ZMm + 1.25) < 0.02); // half of the helix
-        Assert.Equal("PST0001@1", (await TellingJudge.ReadAsync(new GcodeReader(), "G0 X1 Y1\nM2\n", mill)).Findings);
-        Assert.Equal("PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(), "G0 X1 Y1 Z5\nG1 Z-1 F5\nM2\n", mill)).Findings);
+        Assert.Equal("PST0001@1", (await RecordingJudge.ReadAsync(new GcodeReader(), "G0 X1 Y1\nM2\n", mill)).Findings);
+        Assert.Equal("PST0001@3", (await RecordingJudge.ReadAsync(new GcodeReader(), "G0 X1 Y1 Z5\nG1 Z-1 F5\nM2\n", mill)).Findings);
     }
 }

@@ -33,7 +33,7 @@ public class HpglTests
     [Fact]
     public async Task An_arc_is_read_as_the_chords_that_a_plotter_draws()
     {
-        var (found, told) = await TellingJudge.ReadAsync(new HpglReader(), "in;sp1;vs1;pu400 0pd;aa 0,0,90,45;pr0,40;pu;");
+        var (found, told) = await RecordingJudge.ReadAsync(new HpglReader(), "in;sp1;vs1;pu400 0pd;aa 0,0,90,45;pr0,40;pu;");
 
         Assert.Equal("", found);
         Assert.Equal(3, told.Cuts.Count);
@@ -63,7 +63,7 @@ public class HpglTests
     [InlineData("IN;SP1;PU4,0;PD8,8;\nSP0;", "PST0001@2")]
     [InlineData("IN;SC0,1,0,1;", "PST0001@1")] // without IP its corners are the device's
     [InlineData("IN;SP1;PU1,1;IP0,0,40,40;\nSC0,1,0,1;", "PST0001@2")]
-    public async Task What_is_no_program_or_might_draw_what_is_not_known_is_one_finding(string text, string findings) => Assert.Equal(findings, (await TellingJudge.ReadAsync(new HpglReader(), text)).Findings);
+    public async Task What_is_no_program_or_might_draw_what_is_not_known_is_one_finding(string text, string findings) => Assert.Equal(findings, (await RecordingJudge.ReadAsync(new HpglReader(), text)).Findings);
 
     [Fact]
     public void A_place_beyond_the_numbers_of_the_form_is_an_error()
@@ -72,7 +72,7 @@ public class HpglTests
         Assert.Equal(("PST0011", 0), (Assert.Single(written.Diagnostics).Id, written.Chunks.Count));
     }
 
-    private static PostText Written(Segment[][] strokes, params (string Name, string Value)[] options) => new HpglPost().Write(UsualOptions.Post(
+    private static PostOutput Written(Segment[][] strokes, params (string Name, string Value)[] options) => new HpglPost().Write(UsualOptions.Post(
         new Toolpath(default, [.. strokes.Select((segments, index) => new ToolpathStroke(index, Closed: false, [.. segments.Select(segment => new StrokeMove(segment, 0))]))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)));
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));

@@ -32,7 +32,7 @@ public class FilletTests
 
         Assert.Equal(setback, fillet.First!.Value.Joint.X, 12);
         Assert.Equal(setback, fillet.Second!.Value.Joint.DistanceTo(default), 12);
-        Assert.Equal((false, true), (fillet.First.Value.EndsThere, fillet.Second.Value.EndsThere));
+        Assert.Equal((false, true), (fillet.First.Value.EndsAtJoint, fillet.Second.Value.EndsAtJoint));
         Assert.Equal(180.0 - angle, Math.Abs(fillet.Between!.Value.Arc.Sweep.Degrees), 10);
         Assert.Equal(radius / Math.Sin(angle / 2.0 * Math.PI / 180.0), fillet.Between.Value.Arc.Centre.DistanceTo(default), 12);
     }
@@ -45,8 +45,8 @@ public class FilletTests
 
         Assert.Equal((new Point2D(5, 0), new Point2D(0, 5)), (fillet.First!.Value.Joint, fillet.Second!.Value.Joint));
         Assert.Equal(new Point2D(5, 5), fillet.Between!.Value.Arc.Centre);
-        Assert.Equal(new PathPiece(0, 0.0, 25.0 / 60.0, new Point2D(-30, 0), new Point2D(-5, 0)), crossed.First!.Value.Kept);
-        Assert.Equal((new Point2D(0, -5), false), (crossed.Second!.Value.Joint, crossed.Second.Value.EndsThere));
+        Assert.Equal(new PathRange(0, 0.0, 25.0 / 60.0, new Point2D(-30, 0), new Point2D(-5, 0)), crossed.First!.Value.Remaining);
+        Assert.Equal((new Point2D(0, -5), false), (crossed.Second!.Value.Joint, crossed.Second.Value.EndsAtJoint));
     }
 
     /// <summary>A line 3 above the middle of a circle of radius 10; a circle of radius 2 on the line and outside touches at a point found by
@@ -70,8 +70,8 @@ public class FilletTests
         var fillet = Fillet.Create(Segment.FromLine(new Point2D(0, 0), new Point2D(20, 0)), new Point2D(18, 0), Segment.FromLine(new Point2D(0, 6), new Point2D(31, 6)), new Point2D(10, 6), 1.0)!;
 
         Assert.Equal((new Point2D(20, 3), 3.0, 180.0), (fillet.Between!.Value.Arc.Centre, fillet.Between.Value.Arc.Radius, fillet.Between.Value.Arc.Sweep.Degrees));
-        Assert.Equal((new Point2D(20, 6), true), (fillet.Second!.Value.Joint, fillet.Second.Value.EndsThere));
-        Assert.Equal(PathPiece.Whole(0, Segment.FromLine(new Point2D(0, 0), new Point2D(20, 0))), fillet.First!.Value.Kept);
+        Assert.Equal((new Point2D(20, 6), true), (fillet.Second!.Value.Joint, fillet.Second.Value.EndsAtJoint));
+        Assert.Equal(PathRange.Whole(0, Segment.FromLine(new Point2D(0, 0), new Point2D(20, 0))), fillet.First!.Value.Remaining);
     }
 
     [Fact]
@@ -115,8 +115,8 @@ public class FilletTests
     {
         var size = 1e-9 * (arc.Arc.Radius + Size(whole));
         if (side is not { } kept) return Math.Abs(joint.DistanceTo(whole.Arc.Centre) - whole.Arc.Radius) <= size;
-        var left = kept.Kept.Of(whole);
-        var (end, arriving) = kept.EndsThere ? (left.End, left.EndTangent) : (left.Start, -left.StartTangent);
+        var left = kept.Remaining.Of(whole);
+        var (end, arriving) = kept.EndsAtJoint ? (left.End, left.EndTangent) : (left.Start, -left.StartTangent);
         var carrier = whole.Kind == SegmentKind.Line ? Math.Abs((whole.End - whole.Start).Cross(joint - whole.Start)) / whole.Length : Math.Abs(joint.DistanceTo(whole.Arc.Centre) - whole.Arc.Radius);
         var sine = Math.Abs(arriving.Cross(into)) * Math.Min(arc.Arc.Radius, left.Length);
         return carrier <= size && end.IsNear(joint, size) && arriving.Dot(into) > 0.0 && sine <= 10.0 * size && Math.Abs(joint.DistanceTo(arc.Arc.Centre) - arc.Arc.Radius) <= size;

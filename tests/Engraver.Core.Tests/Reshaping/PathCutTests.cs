@@ -30,8 +30,8 @@ public class PathCutTests
         var path = new EntityPath([Line(0, 0, 10, 0)], false);
         var cut = PathCut.Trim(path, path.Crossings([Line(3, -1, 3, 1), Line(7, -1, 7, 1), Line(0, -1, 0, 1)]), path.Nearest(new Point2D(5, 0.1)))!;
 
-        Assert.Equal([new PathPiece(0, 0.3, 0.7, new Point2D(3, 0), new Point2D(7, 0))], cut.Removed);
-        Assert.Equal([(new Point2D(0, 0), new Point2D(3, 0)), (new Point2D(7, 0), new Point2D(10, 0))], cut.Kept.Select(pieces => (pieces[0].Start, pieces[^1].End)));
+        Assert.Equal([new PathRange(0, 0.3, 0.7, new Point2D(3, 0), new Point2D(7, 0))], cut.Removed);
+        Assert.Equal([(new Point2D(0, 0), new Point2D(3, 0)), (new Point2D(7, 0), new Point2D(10, 0))], cut.Remaining.Select(pieces => (pieces[0].Start, pieces[^1].End)));
         Assert.Null(PathCut.Trim(path, path.Crossings([Line(0, -1, 0, 1)]), path.Start));
     }
 
@@ -39,7 +39,7 @@ public class PathCutTests
     public void A_circle_becomes_the_arc_on_the_other_side_of_its_edge()
     {
         var cut = PathCut.Trim(s_circle, s_circle.Crossings([Line(3, -9, 3, 9)]), s_circle.Nearest(new Point2D(5, 0)))!;
-        var kept = Assert.Single(Assert.Single(cut.Kept)).Of(s_circle.Parts[0]).Arc;
+        var kept = Assert.Single(Assert.Single(cut.Remaining)).Of(s_circle.Parts[0]).Arc;
 
         Assert.Equal(Math.Acos(3.0 / 5.0) * 180.0 / Math.PI, kept.Start.Degrees, 12);
         Assert.Equal(360.0 - (2.0 * Math.Acos(3.0 / 5.0) * 180.0 / Math.PI), kept.Sweep.Degrees, 10);
@@ -52,7 +52,7 @@ public class PathCutTests
         var arc = Segment.FromArc(ArcSegment.FromBulge(new Point2D(10, 0), new Point2D(10, 10), 1.0));
         var path = new EntityPath([Line(0, 0, 10, 0), arc, Line(10, 10, 0, 10)], false);
         var cut = PathCut.Trim(path, path.Crossings([Line(10, 5, 30, 5)]), path.Nearest(new Point2D(0, 10)))!;
-        var kept = Assert.Single(cut.Kept);
+        var kept = Assert.Single(cut.Remaining);
 
         Assert.Equal(2, kept.Count);
         Assert.True(kept[^1].Of(arc).End.IsNear(new Point2D(15, 5), 1e-12));
@@ -67,7 +67,7 @@ public class PathCutTests
         Assert.Equal((90.0, 270.0), Sweep(PathCut.Break(s_circle, right, up)));
         Assert.Equal((0.0, 90.0), Sweep(PathCut.Break(s_circle, up, right)));
         var parted = PathCut.Break(new EntityPath([Line(0, 0, 10, 0)], false), new PathPlace(0, 0.4, new Point2D(4, 0)), new PathPlace(0, 0.4, new Point2D(4, 0)));
-        Assert.Equal((0, 2), (parted.Removed.Count, parted.Kept.Count));
+        Assert.Equal((0, 2), (parted.Removed.Count, parted.Remaining.Count));
     }
 
     [Fact]
@@ -77,7 +77,7 @@ public class PathCutTests
         var arc = new EntityPath([Segment.FromArc(new ArcSegment(default, 5.0, Angle.Zero, Angle.FromDegrees(60.0)))], false);
         Segment[] edges = [Line(20, -9, 20, 9), Line(14, 1, 14, 9), Line(-2, -9, -2, 9), Line(-3, -9, -3, 9)];
 
-        Assert.Equal(new PathPiece(0, 0.0, 2.0, new Point2D(0, 0), new Point2D(20, 0)), PathExtension.Find(line, edges, new Point2D(9, 0))!.Value.Grown);
+        Assert.Equal(new PathRange(0, 0.0, 2.0, new Point2D(0, 0), new Point2D(20, 0)), PathExtension.Find(line, edges, new Point2D(9, 0))!.Value.Grown);
         Assert.Equal(new Point2D(14, 0), PathExtension.Find(line, edges, new Point2D(9, 0), lengthened: true)!.Value.Grown.End);
         Assert.Equal(new Point2D(-2, 0), PathExtension.Find(line, edges, new Point2D(1, 0))!.Value.Grown.Start);
         var grown = PathExtension.Find(arc, edges, arc.Parts[0].End)!.Value.Grown.Of(arc.Parts[0]).Arc;
@@ -97,16 +97,16 @@ public class PathCutTests
             var (path, edges, at) = drawn;
             if (PathCut.Trim(path, path.Crossings(edges), path.Nearest(path.Parts[0].PointAt(at))) is not { } cut) return true;
             cuts++;
-            var left = cut.Kept.Append(cut.Removed).SelectMany(pieces => pieces).Select(piece => piece.Of(path.Parts[piece.Part])).ToList();
+            var left = cut.Remaining.Append(cut.Removed).SelectMany(pieces => pieces).Select(piece => piece.Of(path.Parts[piece.Part])).ToList();
             var (whole, size) = (path.Parts.Sum(part => part.Length), path.Parts.Sum(part => part.Length + part.Bounds.Width) + 100.0);
             return Math.Abs(left.Sum(segment => segment.Length) - whole) <= 1e-8 * size
                 && path.Parts.All(part => new[] { 0.0, 0.2, 0.5, 0.9, 1.0 }.All(fraction => left.Min(segment => segment.DistanceTo(part.PointAt(fraction))) <= 1e-8 * size))
-                && cut.Kept.All(pieces => pieces.Zip(pieces.Skip(1)).All(pair => pair.First.End.IsNear(pair.Second.Start, 1e-8 * size)));
+                && cut.Remaining.All(pieces => pieces.Zip(pieces.Skip(1)).All(pair => pair.First.End.IsNear(pair.Second.Start, 1e-8 * size)));
         }).QuickCheckThrowOnFailure();
         Assert.True(cuts > 10, "Many paths must be crossed, or nothing was tested.");
     }
 
-    private static (double Start, double Sweep) Sweep(PathCut cut) => Assert.Single(Assert.Single(cut.Kept)).Of(s_circle.Parts[0]).Arc is var arc ? (arc.Start.Positive().Degrees, arc.Sweep.Degrees) : default;
+    private static (double Start, double Sweep) Sweep(PathCut cut) => Assert.Single(Assert.Single(cut.Remaining)).Of(s_circle.Parts[0]).Arc is var arc ? (arc.Start.Positive().Degrees, arc.Sweep.Degrees) : default;
 
     private static EntityPath Polygon(Point2D[] corners, bool closed) =>
         new([.. corners.Zip(closed ? [.. corners.Skip(1), corners[0]] : corners.Skip(1)).Where(pair => pair.First != pair.Second).Select(pair => Segment.FromLine(pair.First, pair.Second)).DefaultIfEmpty(Line(0, 0, 1, 0))], closed && corners.Distinct().Count() > 1);

@@ -17,8 +17,8 @@ public class SendTextTests
 
             Assert.Equal((0, 1), (BitOperations.PopCount(even) % 2, BitOperations.PopCount(odd) % 2));
             Assert.Equal((character, character), (CharacterFrame.SevenEven.Decode(even), CharacterFrame.SevenOdd.Decode(odd)));
-            Assert.True(CharacterFrame.SevenEven.IsSound(even));
-            Assert.False(CharacterFrame.SevenEven.IsSound(odd));
+            Assert.True(CharacterFrame.SevenEven.HasValidParity(even));
+            Assert.False(CharacterFrame.SevenEven.HasValidParity(odd));
             Assert.Equal(character, CharacterFrame.EightNone.Encode((byte)character));
         }
     }
@@ -59,10 +59,10 @@ public class SendTextTests
 
         var refused = SendText.Encode(lines, SendFormat.Default, CharacterFrame.SevenEven);
         Assert.Null(refused.Job);
-        Assert.Equal(("SND0002", 2), (refused.Why!.Id, refused.Why.Source.Line));
-        Assert.Contains("Character 252 in column 4 of line 2 cannot be sent with the frame 7E1.", refused.Why.Message, StringComparison.Ordinal);
+        Assert.Equal(("SND0002", 2), (refused.Refusal!.Id, refused.Refusal.Source.Line));
+        Assert.Contains("Character 252 in column 4 of line 2 cannot be sent with the frame 7E1.", refused.Refusal.Message, StringComparison.Ordinal);
         Assert.NotNull(SendText.Encode(lines, SendFormat.Default, CharacterFrame.EightNone).Job);
-        Assert.Equal("SND0001", SendText.Encode([], SendFormat.Default, CharacterFrame.EightNone).Why!.Id);
+        Assert.Equal("SND0001", SendText.Encode([], SendFormat.Default, CharacterFrame.EightNone).Refusal!.Id);
     }
 
     [Fact]

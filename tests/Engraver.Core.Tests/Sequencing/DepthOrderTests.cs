@@ -63,7 +63,7 @@ public class DepthOrderTests
     public void Entering_at_a_deep_one_leaves_nothing_out()
     {
         (int, object)[] rings = [.. Square(0, 10, -1), .. Square(0, 10, -2), .. Ring(-1, (20, 0), (60, 0), (60, 40), (20, 40)), .. Ring(-1, (30, 10), (40, 10), (40, 20)), .. Ring(-2, (30, 10), (40, 10), (40, 20)), .. Line(30, 10, -3, 40, 10, -3)];
-        var strokes = Sequence(rings, Cutting with { Enter = new EnterAt.AtPlace(new Point2D(60, 0)) }).Strokes;
+        var strokes = Sequence(rings, Cutting with { Entry = new EntryRequest.AtPlace(new Point2D(60, 0)) }).Strokes;
 
         Assert.Equal(6, strokes.Count);
         Assert.Equal([-1, -2], strokes.Where(stroke => stroke.Start.X < 15).Select(stroke => stroke.Moves[0].StartZ));
@@ -76,7 +76,7 @@ public class DepthOrderTests
         (int, object)[] path = [.. Path(-2, (30, 10), (40, 10), (80, 10), (90, 10), (100, 10), (110, 10))];
         (int, object)[] all = [.. Ring(-1, (20, 0), (60, 0), (60, 40), (20, 40)), .. Ring(-1, (30, 10), (40, 10), (40, 20)), .. path];
 
-        var strokes = Sequence(all, Cutting with { Enter = new EnterAt.AtPlace(new Point2D(60, 0)) }).Strokes;
+        var strokes = Sequence(all, Cutting with { Entry = new EntryRequest.AtPlace(new Point2D(60, 0)) }).Strokes;
 
         Assert.Equal([3, 4, 5], strokes.Select(stroke => stroke.Segments));
     }
@@ -116,7 +116,7 @@ public class DepthOrderTests
 
     private static SequencingResult Sequence((int, object)[] entities, SequencingOptions options)
     {
-        var drawing = Reading.Entities(entities);
+        var drawing = DxfReading.Entities(entities);
         return Sequencer.Sequence(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default)), drawing, options);
     }
 

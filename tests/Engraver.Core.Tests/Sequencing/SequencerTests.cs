@@ -62,7 +62,7 @@ public class SequencerTests
     [InlineData(10, 10, 15, 10)] // the middle, from which every point is as far
     public void A_circle_is_entered_at_its_point_nearest_to_the_place(double x, double y, double startX, double startY)
     {
-        var stroke = Sequence(new DrawingBuilder().Line(100, 0, 120, 0).Circle(10, 10, 5), Nearest with { Enter = new EnterAt.AtPlace(new Point2D(x, y)) }).Strokes[0];
+        var stroke = Sequence(new DrawingBuilder().Line(100, 0, 120, 0).Circle(10, 10, 5), Nearest with { Entry = new EntryRequest.AtPlace(new Point2D(x, y)) }).Strokes[0];
 
         Assert.Equal((startX, startY), (Math.Round(stroke.Start.X, 9), Math.Round(stroke.Start.Y, 9)));
         Assert.Equal(stroke.Start, stroke.End);
@@ -245,7 +245,7 @@ public class SequencerTests
 
         foreach (var order in new[] { Nearest, Drawn })
         {
-            var result = Sequence(drawing, order with { Enter = new EnterAt.AtEntity(2) });
+            var result = Sequence(drawing, order with { Entry = new EntryRequest.AtEntity(2) });
             Assert.Equal(2, result.Table.EntityIndexOf(0));
             Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
         }
@@ -254,7 +254,7 @@ public class SequencerTests
     [Fact]
     public void The_entering_place_chooses_the_end_of_an_open_stroke()
     {
-        var result = Sequence(new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0), Nearest with { Enter = new EnterAt.AtPlace(new Point2D(61, 0)) });
+        var result = Sequence(new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0), Nearest with { Entry = new EntryRequest.AtPlace(new Point2D(61, 0)) });
 
         Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
     }
@@ -266,7 +266,7 @@ public class SequencerTests
 
         foreach (var order in new[] { Nearest, Drawn })
         {
-            var result = Sequence(drawing, order with { Enter = new EnterAt.AtEntity(1) });
+            var result = Sequence(drawing, order with { Entry = new EntryRequest.AtEntity(1) });
             Assert.Equal([2, 1, 1, 1, 1, 0], Enumerable.Range(0, result.Table.Count).Select(result.Table.EntityIndexOf));
             Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryWaits);
         }
@@ -275,7 +275,7 @@ public class SequencerTests
     [Fact]
     public void An_entering_entity_that_is_not_cut_is_said_so()
     {
-        var result = Sequence(new DrawingBuilder().Circle(0, 0, 1), Nearest with { Enter = new EnterAt.AtEntity(7) });
+        var result = Sequence(new DrawingBuilder().Circle(0, 0, 1), Nearest with { Entry = new EntryRequest.AtEntity(7) });
 
         Assert.Equal([SequencingRules.EntryNotFound], result.Diagnostics.Select(d => d.Rule));
         Assert.Equal(1, result.Contours);
@@ -285,7 +285,7 @@ public class SequencerTests
     public void An_entering_entity_that_was_drawn_twice_is_entered_at_its_double()
     {
         var drawing = new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0).Line(55, -5, 55, 5).Line(60, 0, 50, 0);
-        var result = Sequence(drawing, Nearest with { Enter = new EnterAt.AtEntity(3) });
+        var result = Sequence(drawing, Nearest with { Entry = new EntryRequest.AtEntity(3) });
 
         Assert.Equal(1, result.Table.EntityIndexOf(0));
         var said = Assert.Single(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn);
@@ -298,7 +298,7 @@ public class SequencerTests
     {
         var drawing = new DrawingBuilder().Line(1, 0, 2, 0);
         for (var i = 0; i < 24; i++) drawing = drawing.Line(OnCircle(i).X, OnCircle(i).Y, OnCircle(i + 1).X, OnCircle(i + 1).Y);
-        var result = Sequence(drawing, Nearest with { ArcTolerance = 0.01, Enter = new EnterAt.AtEntity(14) });
+        var result = Sequence(drawing, Nearest with { ArcTolerance = 0.01, Entry = new EntryRequest.AtEntity(14) });
 
         Assert.Equal(2, result.Table.Count);
         Assert.Equal(1, result.Table.EntityIndexOf(0));

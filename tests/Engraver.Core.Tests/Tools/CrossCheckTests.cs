@@ -35,7 +35,7 @@ public class CrossCheckTests
     public void A_difference_in_each_figure_is_named()
     {
         var opinion = CrossCheck.Read(Everything);
-        var other = DrawingSummary.From(Reading.Of(DxfText.WithEntities(OddDrawings.Arc)));
+        var other = DrawingSummary.From(DxfReading.Of(DxfText.WithEntities(OddDrawings.Arc)));
 
         var differences = opinion.DifferencesFrom(other);
 
@@ -54,7 +54,7 @@ public class CrossCheckTests
 
         Assert.Empty(Differences(loose.ToAscii()));
         Assert.Empty(Differences(packed.ToAscii()));
-        Assert.Equal((3, 2), (Reading.Of(loose).Entities.Count, Reading.Of(packed).Entities.Count));
+        Assert.Equal((3, 2), (DxfReading.Of(loose).Entities.Count, DxfReading.Of(packed).Entities.Count));
     }
 
     /// <summary>UTF-16 of both orders, with and without a mark; an R12 binary whose first code needs three bytes.</summary>

@@ -16,7 +16,7 @@ public class DrawingMinimiserTests
 
         Assert.Equal("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n-12.75", Normal(Minimised(file, "DXF0011", keepPoint: true)));
         Assert.True(smallest.Length < 100, Encoding.Latin1.GetString(smallest));
-        Assert.Contains("DXF0011", Reading.Ids(Reading.Of(smallest)));
+        Assert.Contains("DXF0011", DxfReading.Ids(DxfReading.Of(smallest)));
     }
 
     [Fact]
@@ -51,7 +51,7 @@ public class DrawingMinimiserTests
         Assert.Throws<OperationCanceledException>(() => DrawingMinimiser.Minimise(OddDrawings.OneOfEverything().ToAscii(), _ => true, new CancellationToken(canceled: true)));
 
     private static byte[] Minimised(byte[] file, string id, bool keepPoint = false) => DrawingMinimiser.Minimise(
-        file, candidate => Reading.Ids(Reading.Of(candidate)).Contains(id) && (!keepPoint || Encoding.Latin1.GetString(candidate).Contains("-12.75", StringComparison.Ordinal)), CancellationToken.None);
+        file, candidate => DxfReading.Ids(DxfReading.Of(candidate)).Contains(id) && (!keepPoint || Encoding.Latin1.GetString(candidate).Contains("-12.75", StringComparison.Ordinal)), CancellationToken.None);
 
     private static string Normal(byte[] file) => Encoding.Latin1.GetString(file).Replace(" ", "", StringComparison.Ordinal).TrimEnd();
 }

@@ -27,7 +27,7 @@ public class PlugInDefectTests
         var segments = TrajectoryBoundTests.ShapeOf(shape);
         var ours = Assert.Single(TrajectoryBoundTests.Plan(segments, closed: true, error).Trajectories);
 
-        OnlyThePlugInBreaks(lines => Assert.InRange(new SplineRun(lines).FromSource(segments), 0.0, error), ours.Lines, PlugInGenerator.Dynamic(segments, error));
+        OnlyThePlugInBreaks(lines => Assert.InRange(new SplineEvaluation(lines).FromSource(segments), 0.0, error), ours.Lines, PlugInGenerator.Dynamic(segments, error));
         TrajectoryBoundTests.HoldsItsBound(ours, error);
     }
 
@@ -41,7 +41,7 @@ public class PlugInDefectTests
     {
         var lines = PlugInGenerator.Dynamic(TrajectoryBoundTests.ShapeOf(shape), error);
 
-        Assert.Equal((points, deviation), (lines.Count - 2, Math.Round(new SplineRun(lines).FromSource(TrajectoryBoundTests.ShapeOf(shape)), 5)));
+        Assert.Equal((points, deviation), (lines.Count - 2, Math.Round(new SplineEvaluation(lines).FromSource(TrajectoryBoundTests.ShapeOf(shape)), 5)));
     }
 
     /// <summary>"Corners blow up": it runs backwards by 2/27 of the long step.</summary>
@@ -241,7 +241,7 @@ public class PlugInDefectTests
 
     private static void RunsForwards(IReadOnlyList<Point2D> lines)
     {
-        var places = new SplineRun(lines, 40).Places;
+        var places = new SplineEvaluation(lines, 40).Places;
         for (var i = 2; i < places.Count; i++)
         {
             var (before, after) = (new Vector2D(places[i - 1].X - places[i - 2].X, places[i - 1].Y - places[i - 2].Y), new Vector2D(places[i].X - places[i - 1].X, places[i].Y - places[i - 1].Y));

@@ -49,7 +49,7 @@ public class TrajectoryBoundTests
     public void The_bound_is_near_what_is_measured_so_that_it_wastes_no_points(double size)
     {
         var trajectory = Assert.Single(Plan(Shapes.Ellipse(10.0 * size, 5.0 * size), closed: true, 0.001 * size).Trajectories);
-        var measured = new SplineRun(trajectory.Lines).FromSource(trajectory.Source);
+        var measured = new SplineEvaluation(trajectory.Lines).FromSource(trajectory.Source);
 
         Assert.InRange(trajectory.VerifiedBound, measured, 1.1 * measured);
     }
@@ -59,7 +59,7 @@ public class TrajectoryBoundTests
     {
         var result = TrajectoryPlanner.Plan(Shapes.Ellipse(20.0, 5.0), closed: true, new TrajectoryOptions(0.001) { SegmentLength = 2.0 });
         var trajectory = Assert.Single(result.Trajectories);
-        var run = new SplineRun(trajectory.Lines);
+        var run = new SplineEvaluation(trajectory.Lines);
         var measured = Math.Max(run.FromSource(trajectory.Source), run.ToSource(trajectory.Source));
 
         Assert.True(measured > 0.1, "Two millimetres are far too long at the tips of the ellipse.");
@@ -153,7 +153,7 @@ public class TrajectoryBoundTests
     internal static void HoldsItsBound(Trajectory trajectory, double error)
     {
         const double Rounding = 1e-9;
-        var run = new SplineRun(trajectory.Lines);
+        var run = new SplineEvaluation(trajectory.Lines);
         Assert.InRange(trajectory.VerifiedBound, 0.0, error);
         Assert.InRange(run.FromSource(trajectory.Source), 0.0, trajectory.VerifiedBound + Rounding);
         Assert.InRange(run.ToSource(trajectory.Source), 0.0, trajectory.VerifiedBound + Rounding);

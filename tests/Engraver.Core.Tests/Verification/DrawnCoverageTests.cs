@@ -174,7 +174,7 @@ public class DrawnCoverageTests
             foreach (var below in (double[])[0.0, 0.0005, 0.01, 0.3, 8.0, 16.0])
             {
                 var place = top - new Vector2D(0.0005, below); // half a count beside it
-                Assert.True(span.PointAt(FootOf.Place(span, place, guess)).DistanceTo(place) < 0.00051, FormattableString.Invariant($"from {guess}, {below} mm below the start"));
+                Assert.True(span.PointAt(PerpendicularFoot.Place(span, place, guess)).DistanceTo(place) < 0.00051, FormattableString.Invariant($"from {guess}, {below} mm below the start"));
             }
         }
     }
@@ -185,7 +185,7 @@ public class DrawnCoverageTests
         foreach (var segment in drawing)
         {
             var (covered, longest) = (new CoveredParts(), segment.Length / s_tolerances.StepsFor(segment.Length));
-            for (var i = 1; i < run.Count; i++) CutNearSegment.CoverAny(segment, Segment.FromLine(run[i - 1], run[i]), reach, covered);
+            for (var i = 1; i < run.Count; i++) SegmentCutCover.CoverAny(segment, Segment.FromLine(run[i - 1], run[i]), reach, covered);
             missing += covered.Gaps().Sum(gap => (gap.To - gap.From) * segment.Length is var length && length >= longest ? length : 0.0);
         }
 

@@ -13,7 +13,7 @@ public class JudgeStepsTests
     private const int FewSteps = 400;
 
     /// <summary>For an uncut segment: a few for each of the thousands that cross it.</summary>
-    private const int MostStepsBeside = 10_000;
+    private const int MaxStepsBeside = 10_000;
 
     /// <summary>A cut of the machine: samples while it accelerates, a span, samples while it brakes.</summary>
     private const int SamplesOfRamp = 40;
@@ -66,7 +66,7 @@ public class JudgeStepsTests
 
         judge.Verdict();
 
-        Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, MostStepsBeside);
+        Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, MaxStepsBeside);
     }
 
     /// <summary>Along a segment like the machine, samples rounded to counts.</summary>

@@ -63,12 +63,12 @@ public class RunTraceTests
         Assert.StartsWith($"# polled; version 2; drawing {DrawnFingerprint.Of(s_line)}\nseconds,x,y,tool,deviation,following\n0.1,5,0,1,0,0.125\n0.2,6,0,1,0,\n", written.ToString(), StringComparison.Ordinal);
         var read = RunTrace.Read(new StringReader(written.ToString()));
         Assert.Equal([0.125, null], read.Places.Select(place => place.FollowingMm));
-        Assert.True(read.KnowsFollowing && read.CanBeOf(DrawnFingerprint.Of(s_line)));
+        Assert.True(read.HasFollowing && read.CanBeOf(DrawnFingerprint.Of(s_line)));
         Assert.False(read.CanBeOf(DrawnFingerprint.Of([Segment.FromLine(new(0, 0), new(1000, 0.001))])));
 
         var first = RunTrace.Read(new StringReader("# record\nseconds,x,y,tool,deviation\n0.5,1,2,1,0.25\n"));
         Assert.Equal(("record", new RunTracePlace(0.5, new Point2D(1, 2), true, 0.25)), (first.Source, Assert.Single(first.Places)));
-        Assert.False(first.KnowsFollowing);
+        Assert.False(first.HasFollowing);
         Assert.True(first.CanBeOf("anything"));
     }
 

@@ -122,9 +122,9 @@ public class ToolpathCheckTests
         for (var i = 0; i < Curves; i++) builder.Free(FreeCurves.Spline(3, [.. Enumerable.Range(0, 8).Select(_ => new Point2D(300 * random.NextDouble(), 300 * random.NextDouble()))], [1, 1, 1, 1, 1, 1, 1, 1]));
         var planned = Planned(builder.Build());
         var match = DrawnMatch.From(planned.Drawn, planned.Path, (in _, in _) => { });
-        var drawing = new DrawnRest(match.Rows, new ToolpathTolerances(MaxError, 0.01, ArcsRecovered: false));
+        var drawing = new RepresentedRows(match.Rows, new ToolpathTolerances(MaxError, 0.01, ArcsRecovered: false));
 
-        Assert.All(match.Moves, move => Assert.True(drawing.Stray(move) is var stray && stray.Distance <= stray.Allowed));
+        Assert.All(match.Moves, move => Assert.True(drawing.MaxDistance(move) is var stray && stray.Distance <= stray.Allowed));
 
         Assert.InRange(drawing.Steps / (double)match.Moves.Count, 9.0, 9.0 * FewSteps);
     }

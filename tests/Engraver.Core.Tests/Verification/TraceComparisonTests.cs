@@ -14,7 +14,7 @@ public class TraceComparisonTests
     private static readonly Segment[] Drawing = [Line, Arc, Circle];
 
     /// <summary>For tests without missing length.</summary>
-    private static readonly TraceTolerances Coarse = UsualOptions.Trace with { LargestStep = 100.0, FewestSteps = 1 };
+    private static readonly TraceTolerances Coarse = UsualOptions.Trace with { LargestStep = 100.0, MinSteps = 1 };
 
     [Fact]
     public void An_exact_trace_deviates_by_nothing_and_misses_nothing()

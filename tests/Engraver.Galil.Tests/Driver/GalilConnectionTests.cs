@@ -41,9 +41,9 @@ public class GalilConnectionTests
         Assert.Null(await connection.SetMotorsAsync(MachineAxes.Default, on: false, CancellationToken.None));
         bench.Controller.SetLimitSwitch(1, forward: false, active: true);
 
-        var found = await connection.LookAsync(MachineAxes.Default, CancellationToken.None);
+        var found = await connection.ReadStatusAsync(MachineAxes.Default, CancellationToken.None);
 
-        Assert.Equal((0, 0, false, "AB", "the reverse limit of axis Y", "", false), (found.X, found.Y, found.Moves, found.MotorsOff, found.Limit, found.LostPosition, found.AbortInput));
+        Assert.Equal((0, 0, false, "AB", "the reverse limit of axis Y", "", false), (found.X, found.Y, found.IsMoving, found.MotorsOff, found.Limit, found.LostPosition, found.AbortInput));
         Assert.False(connection.Capabilities.IsSingleWire);
         Assert.Equal(4, connection.Identity.Axes);
     }
@@ -56,9 +56,9 @@ public class GalilConnectionTests
         var connection = await OpenAsync(bench, trace);
         await using (connection)
         {
-            await connection.AnswerAsync("MG 4711", CancellationToken.None);
+            await connection.ExecuteLineAsync("MG 4711", CancellationToken.None);
             await act(connection);
-            await connection.AnswerAsync("MG 4712", CancellationToken.None);
+            await connection.ExecuteLineAsync("MG 4712", CancellationToken.None);
         }
 
         await trace.CloseAsync(CancellationToken.None);

@@ -26,7 +26,7 @@ public class AbortInputTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("abort input", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("abort input", result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads));
         Assert.False(bench.Controller.Status.IsMoving);
         Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), result.FinalPosition);
@@ -45,7 +45,7 @@ public class AbortInputTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("abort input", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("abort input", result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
@@ -64,7 +64,7 @@ public class AbortInputTests
 
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
-        Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Sentence.Contains("set the work origin again", StringComparison.Ordinal)));
+        Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Message.Contains("set the work origin again", StringComparison.Ordinal)));
 
         bench.Controller.SetAbortInput(false);
         using var stop = new CancellationTokenSource();

@@ -31,7 +31,7 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 5 segments.", result.Sentence);
+        Assert.Equal("Done: 5 segments.", result.Message);
         Assert.Equal(new CountsPoint(0, 0, Clearance), result.FinalPosition);
         AssertMovesAsAllowed(bench, program);
         Assert.All(program.Strokes, stroke => Assert.Contains(bench.Controller.Record.Snapshot(), sample => Place(sample) == stroke.Start));
@@ -90,8 +90,8 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
-        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("The tool could not be raised: axis Z is at", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Message, StringComparison.Ordinal);
+        Assert.Contains("The tool could not be raised: axis Z is at", result.Message, StringComparison.Ordinal);
         Assert.InRange(bench.Last.C, -2000, -1);
         Assert.Equal((0, false), (bench.Last.Outputs, bench.Controller.Status.IsMoving));
     }
@@ -105,7 +105,7 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), DryRun = true });
 
-        Assert.Equal(("Done: 5 segments.", JobOutcome.Complete), (result.Sentence, result.Outcome));
+        Assert.Equal(("Done: 5 segments.", JobOutcome.Complete), (result.Message, result.Outcome));
         var record = bench.Controller.Record.Snapshot();
         Assert.Equal(Clearance, record.Where(sample => (sample.A, sample.B) != (0, 0)).Min(sample => sample.C));
         Assert.All(record, sample => Assert.Equal(0, sample.Outputs));
@@ -150,7 +150,7 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(TwoDepths(stepper), SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 5 segments.", result.Sentence);
+        Assert.Equal("Done: 5 segments.", result.Message);
         await using var session = await bench.OpenAsync();
         Assert.Equal([2.0, -2.0, 1.0], (await session.Commands.ReadAsync("_MTA,_MTB,_MTC", CancellationToken.None)).Values);
     }
@@ -164,7 +164,7 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 4 segments.", result.Sentence);
+        Assert.Equal("Done: 4 segments.", result.Message);
         var path = new EngravedPath(program);
         Assert.All(Pairs(bench).Where(pair => (pair.Before.A, pair.Before.B) != (pair.Now.A, pair.Now.B) && pair.Now.Outputs == 0), pair => Assert.InRange(path.DistanceTo(pair.Now.A, pair.Now.B), 0, 1.0));
         Assert.InRange(bench.Controller.Record.Snapshot().Count(sample => sample.Outputs == 0 && sample.A >= 5000 && sample.B >= 5000), 2286, 3000); // 45707 counts at 20 a sample

@@ -18,7 +18,7 @@ public class JobRunnerTests
 
         var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 4 segments.", result.Sentence);
+        Assert.Equal("Done: 4 segments.", result.Message);
         Assert.Equal((JobOutcome.Complete, 4, 4, 0, 0), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted, result.Underruns, result.Rejected));
         Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);
         Assert.Equal((5000, 5000, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
@@ -48,7 +48,7 @@ public class JobRunnerTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job);
 
-        Assert.Equal("Done: 1600 segments.", result.Sentence);
+        Assert.Equal("Done: 1600 segments.", result.Message);
         Assert.Equal((JobOutcome.Complete, 1600, 1600, 0, 0), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted, result.Underruns, result.Rejected));
         Assert.Equal(new CountsPoint(96000, 0), result.FinalPosition);
         Assert.Equal(0, bench.Controller.Status.Underruns);
@@ -126,7 +126,7 @@ public class JobRunnerTests
 
         var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 4 segments.", result.Sentence);
+        Assert.Equal("Done: 4 segments.", result.Message);
         Assert.Equal(new CountsPoint(-65000, 4877), result.FinalPosition);
     }
 
@@ -194,7 +194,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench();
         var links = new List<WithheldLink>();
         await using var session = await bench.OpenAsync(opened: links.Add);
-        links[0].Harm = line => line.Replace("CR 1500,180,360", "CR 1500,180,720", StringComparison.Ordinal);
+        links[0].Corrupt = line => line.Replace("CR 1500,180,360", "CR 1500,180,720", StringComparison.Ordinal);
         links[0].Sending = line =>
         {
             if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status is { IsMoving: true, Underruns: 0 } && bench.Last.A > 3000) bench.Controller.Advance(TimeSpan.FromSeconds(0.7));
@@ -203,7 +203,7 @@ public class JobRunnerTests
         var result = await JobRunner.RunAsync(MotionPrograms.CircleAndShortLines(1600), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal((JobOutcome.Deviated, 1, 0), (result.Outcome, result.Underruns, bench.Controller.Status.Outputs));
-        Assert.Contains("counts along its path", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("counts along its path", result.Message, StringComparison.Ordinal);
         Assert.Equal(1, bench.Controller.Status.Underruns); // it ended there
         Assert.True(bench.Last.A < 96000);
     }

@@ -52,7 +52,7 @@ public class JournalTests
         folder.Delete(recursive: true);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("The journal cannot be written: the disk is full", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("The journal cannot be written: the disk is full", result.Message, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Status.Outputs);
         Assert.Equal((0, 0), (result.SegmentsSent, bench.Controller.Record.Count));
     }
@@ -70,7 +70,7 @@ public class JournalTests
         var pipe = NamedPipe.Make(Path.Combine(folder.FullName, "job.jsonl"));
         var gone = Task.Factory.StartNew(() => { using var reader = new StreamReader(pipe); while (reader.ReadLine() is { } line && !line.Contains("\"kind\":\"job\"", StringComparison.Ordinal)) { } }, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         var told = new List<(string Id, int Outputs)>();
-        var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = pipe, Polled = point => gone.Wait(point.ToolOn ? Timeout.Infinite : 0), Told = finding => told.Add((finding.Rule.Id, bench.Controller.Status.Outputs)) };
+        var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = pipe, Polled = point => gone.Wait(point.ToolOn ? Timeout.Infinite : 0), Warned = finding => told.Add((finding.Rule.Id, bench.Controller.Status.Outputs)) };
 
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), options);
         folder.Delete(recursive: true);

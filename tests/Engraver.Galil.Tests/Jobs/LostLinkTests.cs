@@ -40,7 +40,7 @@ public class LostLinkTests
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         Assert.NotNull(result.FinalPosition);
-        if (result.FinalPosition.Value.X != bench.Last.A) Assert.Contains("more segments may be cut than are counted here", result.Sentence, StringComparison.Ordinal);
+        if (result.FinalPosition.Value.X != bench.Last.A) Assert.Contains("more segments may be cut than are counted here", result.Message, StringComparison.Ordinal);
         Assert.InRange(result.FinalPosition.Value.X, far, bench.Last.A); // queried between the cut and the standstill: a handle may be available again
         CutRecord.AssertSafeAfter(bench, cutAt, toolSeconds: 1.5, restSeconds: 1.5);
     }
@@ -53,7 +53,7 @@ public class LostLinkTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job);
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
-        Assert.Contains("did not reply", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("did not reply", result.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -91,7 +91,7 @@ public class LostLinkTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, held);
 
         Assert.Equal((JobOutcome.LinkLost, 0), (result.Outcome, result.SegmentsExecuted));
-        Assert.Contains("watchdog", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("watchdog", result.Message, StringComparison.Ordinal);
         CutRecord.AssertSafeAfter(bench, heldAt, toolSeconds: 1.5, restSeconds: 1.5);
     }
 

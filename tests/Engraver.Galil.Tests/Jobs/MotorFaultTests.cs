@@ -24,7 +24,7 @@ public class MotorFaultTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
@@ -41,8 +41,8 @@ public class MotorFaultTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.Equal(JobOutcome.Deviated, result.Outcome);
-        Assert.Contains("could not follow", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("following error in counts: X ", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("could not follow", result.Message, StringComparison.Ordinal);
+        Assert.Contains("following error in counts: X ", result.Message, StringComparison.Ordinal);
         Assert.NotEqual("", result.PositionDoubt);
         Assert.Equal(0, (int)bench.Controller.Status.Outputs);
     }
@@ -61,7 +61,7 @@ public class MotorFaultTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Message, StringComparison.Ordinal);
         Assert.InRange(result.FinalPosition!.Value.X, 53_500, 56_000);
         Assert.Empty(result.NotRestored);
         Assert.Equal(("12345", "1"), ((await bench.WholeAsync("_ERA")).Trim(), (await bench.WholeAsync("_OEB")).Trim()));
@@ -89,7 +89,7 @@ public class MotorFaultTests
         var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(3000, 2000), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("following error in counts: Y 2000", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error in counts: Y 2000", result.Message, StringComparison.Ordinal);
         Assert.NotEqual("", result.PositionDoubt);
     }
 
@@ -102,6 +102,6 @@ public class MotorFaultTests
 
         var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(30000, 9000), session, SimulatedBench.Job, null, CancellationToken.None);
 
-        Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
+        Assert.True(result.Outcome == JobOutcome.Complete, result.Message);
     }
 }

@@ -16,7 +16,7 @@ public class RefusalTests
         var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job);
 
         Assert.Equal((JobOutcome.Refused, TcCode.BeginAgainstLimitSwitch, 1), (result.Outcome, (TcCode?)result.Refusal?.Code, result.Rejected));
-        Assert.Contains("TC 22 (Begin not possible due to limit switch)", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("TC 22 (Begin not possible due to limit switch)", result.Message, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Status.RunningThreads);
     }
 
@@ -32,7 +32,7 @@ public class RefusalTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsExecuted));
-        Assert.Contains("forward limit switch", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("forward limit switch", result.Message, StringComparison.Ordinal);
         Assert.Equal(0, bench.Last.Outputs);
     }
 
@@ -44,8 +44,8 @@ public class RefusalTests
         var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), SimulatedBench.Job);
 
         Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, (TcCode?)result.Refusal?.Code));
-        Assert.Contains("CR 5,180,-180", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("Drawing entity 0.", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("CR 5,180,-180", result.Message, StringComparison.Ordinal);
+        Assert.Contains("Drawing entity 0.", result.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -72,7 +72,7 @@ public class RefusalTests
             var status = bench.Controller.Status;
             Assert.Equal((false, 0, 0), (status.IsMoving || status.IsSequenceOpen, status.Outputs, status.RunningThreads));
             if (result.Outcome == JobOutcome.Refused) refusals++;
-            else Assert.Equal((command, JobOutcome.Complete, result.Sentence), (command, result.Outcome, result.Sentence));
+            else Assert.Equal((command, JobOutcome.Complete, result.Message), (command, result.Outcome, result.Message));
         }
 
         Assert.InRange(refusals, 50, 120);

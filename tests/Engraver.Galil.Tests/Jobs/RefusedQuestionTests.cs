@@ -23,11 +23,11 @@ public class RefusedQuestionTests
             var unknown = "_" + new string('Z', operand.Length - 1);
             string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // not part of a download
             string Mend(string heard) => heard.Replace(unknown, operand, StringComparison.Ordinal); // the echo on a serial line
-            await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
+            await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Corrupt = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
 
             var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, null, CancellationToken.None);
 
-            Assert.Equal((operand, JobOutcome.Refused, ""), (operand, result.Outcome, result.Outcome == JobOutcome.Refused ? "" : result.Sentence));
+            Assert.Equal((operand, JobOutcome.Refused, ""), (operand, result.Outcome, result.Outcome == JobOutcome.Refused ? "" : result.Message));
             Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
         }
     }

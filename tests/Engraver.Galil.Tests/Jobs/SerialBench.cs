@@ -17,7 +17,7 @@ internal static class SerialBench
     /// <param name="harm">Returns the bytes that the controller receives instead of a line.</param>
     /// <param name="mend">Returns the bytes that the host receives instead of the sent ones.</param>
     public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null, Func<string, string>? mend = null) => ControllerSession.OpenAsync(
-        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm, Mend = mend }),
+        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Corrupt = harm, Repair = mend }),
         new SessionOptions(), bench.Clock, CancellationToken.None);
 
     public static async Task<JobResult> RunSerialAsync(

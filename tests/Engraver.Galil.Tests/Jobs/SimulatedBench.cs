@@ -35,7 +35,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
     public HostClock Clock => _clock ??= Controller.JoinClock();
 
     /// <summary>The host is lost: time advances without it.</summary>
-    public void GiveClockBack()
+    public void ReleaseClock()
     {
         _clock?.Dispose();
         _clock = null;

@@ -33,7 +33,7 @@ public class SpindleLoadingTests
 
         var result = await JobRunner.RunAsync(s_part, session, s_program, null, CancellationToken.None);
 
-        Assert.Equal("Done: 12 segments.", result.Sentence);
+        Assert.Equal("Done: 12 segments.", result.Message);
         Assert.InRange(loads, 2, 9);
         Assert.Equal(0, turnsUnwatched);
         HeightBench.AssertCut(bench, s_part);
@@ -57,10 +57,10 @@ public class SpindleLoadingTests
             });
 
             var result = await JobRunner.RunAsync(s_part, session, s_program, null, CancellationToken.None);
-            bench.GiveClockBack();
+            bench.ReleaseClock();
             bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(30));
 
-            Assert.True(result.Outcome == JobOutcome.LinkLost, $"line {at}, {whole[at]}: {result.Sentence}");
+            Assert.True(result.Outcome == JobOutcome.LinkLost, $"line {at}, {whole[at]}: {result.Message}");
             Assert.True(bench.Controller.Status is { Outputs: 0, IsMoving: false }, $"line {at}, {whole[at]}: outputs {bench.Controller.Status.Outputs}");
         }
     }

@@ -34,8 +34,8 @@ public class StalledJobTests
         });
 
         Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsExecuted));
-        Assert.Contains("_VRS 0", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("stroke 1, drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("_VRS 0", result.Message, StringComparison.Ordinal);
+        Assert.Contains("stroke 1, drawing entity 0", result.Message, StringComparison.Ordinal);
         CutRecord.AssertSafeAfter(bench, stoppedAt, toolSeconds: baud == Network ? 0.8 : 1.5, restSeconds: 1.5);
     }
 
@@ -59,8 +59,8 @@ public class StalledJobTests
 
         var isSeenAtOnce = baud != Network || sent == "SPA=";
         Assert.Equal(isSeenAtOnce ? JobOutcome.LinkLost : JobOutcome.Refused, result.Outcome);
-        Assert.Contains(baud != Network ? "the line corrupts data" : isSeenAtOnce ? "was sent" : "No motion and no progress", result.Sentence, StringComparison.Ordinal);
-        if (!isSeenAtOnce) Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(baud != Network ? "the line corrupts data" : isSeenAtOnce ? "was sent" : "No motion and no progress", result.Message, StringComparison.Ordinal);
+        if (!isSeenAtOnce) Assert.Contains("drawing entity 0", result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
@@ -114,8 +114,8 @@ public class StalledJobTests
     {
         using var stop = new CancellationTokenSource();
         var acting = new CancelWhen(when, act);
-        var progress = new Both(acting, new CancelWhen(now => now.Seconds > patience, stop.Cancel));
-        await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Harm = harm) : await bench.OpenSerialAsync(baud, harm: harm);
+        var progress = new ProgressPair(acting, new CancelWhen(now => now.Seconds > patience, stop.Cancel));
+        await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Corrupt = harm) : await bench.OpenSerialAsync(baud, harm: harm);
         return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, progress, stop.Token);
     }
 }

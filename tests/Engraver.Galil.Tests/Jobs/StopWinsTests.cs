@@ -72,7 +72,7 @@ public class StopWinsTests
             behind = (bench.Controller.Status.IsMoving, bench.Controller.Status.Outputs);
         });
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
-        await links[1].SomebodyWaits;
+        await links[1].HasWaiter;
         while (!running.IsCompleted)
         {
             bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles count as lost
@@ -93,7 +93,7 @@ public class StopWinsTests
     {
         await using var bench = new SimulatedBench();
         using var stop = new CancellationTokenSource();
-        var (links, said, time) = (new List<WithheldLink>(), new List<string>(), new PausingTime(bench.Clock));
+        var (links, said, time) = (new List<WithheldLink>(), new List<string>(), new PausingTimeProvider(bench.Clock));
         await using var session = await ControllerSession.OpenAsync(
             _ =>
             {
@@ -105,7 +105,7 @@ public class StopWinsTests
         await time.Paused;
         links[1].Sending = said.Add;
 
-        time.GoOn();
+        time.Resume();
         var key = new Thread(stop.Cancel); // like the desktop's: continuations can run on it at once
         key.Start();
         key.Join();
@@ -116,7 +116,7 @@ public class StopWinsTests
     }
 
     /// <summary>A clock whose next pause does not end.</summary>
-    private sealed class PausingTime(TimeProvider inner) : TimeProvider
+    private sealed class PausingTimeProvider(TimeProvider inner) : TimeProvider
     {
         private readonly TaskCompletionSource _paused = new(TaskCreationOptions.RunContinuationsAsynchronously);
         private volatile bool _isPausing;
@@ -127,7 +127,7 @@ public class StopWinsTests
 
         public void Pause() => _isPausing = true;
 
-        public void GoOn() => _isPausing = false;
+        public void Resume() => _isPausing = false;
 
         public override DateTimeOffset GetUtcNow() => inner.GetUtcNow();
 

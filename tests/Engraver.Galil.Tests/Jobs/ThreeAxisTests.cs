@@ -17,12 +17,12 @@ public class ThreeAxisTests
     {
         await using var bench = new SimulatedBench();
         await using var connection = await GalilConnection.OpenAsync(_ => Task.FromResult<IControllerLink>(new StreamLink(bench.Controller.OpenConnection(), "memory")), null, bench.Clock, CancellationToken.None);
-        await connection.AnswerAsync("DP 10,20,30,-40", CancellationToken.None);
+        await connection.ExecuteLineAsync("DP 10,20,30,-40", CancellationToken.None);
         Assert.Null(await connection.SetMotorsAsync(s_axes, on: false, CancellationToken.None));
         bench.Controller.SetLimitSwitch(3, forward: true, active: true);
 
-        var found = await connection.LookAsync(s_axes, CancellationToken.None);
-        var place = await connection.LocateAsync(s_axes, CancellationToken.None);
+        var found = await connection.ReadStatusAsync(s_axes, CancellationToken.None);
+        var place = await connection.ReadPositionAsync(s_axes, CancellationToken.None);
 
         Assert.Equal((new CountsPoint(10, 20, -40), "ABD", "the forward limit of axis Z"), (found.Position, found.MotorsOff, found.Limit));
         Assert.Equal(new CountsPoint(10, 20, -40), place.Position);
@@ -65,7 +65,7 @@ public class ThreeAxisTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
-        Assert.Equal("Done: 4 segments.", result.Sentence);
+        Assert.Equal("Done: 4 segments.", result.Message);
         Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);
         CutRecord.AssertWholePathWasCut(bench, program);
     }

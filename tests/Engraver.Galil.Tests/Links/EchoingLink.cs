@@ -4,20 +4,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>When a controller echoes a line that it receives while it still answers another: unknown for the real one (galil-dmc.md A.2).</summary>
-public enum EchoTime
-{
-    BehindTheAnswer,
-    BeforeTheAnswer,
-    AmidTheAnswer,
-}
-
 /// <summary>A simple controller on a serial line at 19,200 baud: it echoes received lines, answers the known ones and sends a prompt for the others. It can
 /// delay the reply to one line until it is released.</summary>
 /// <param name="answers">The reply to a command, including its line end; "" is a prompt only.</param>
 internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) : IControllerLink
 {
-    private readonly Channel<byte[]> _said = Channel.CreateUnbounded<byte[]>();
+    private readonly Channel<byte[]> _sent = Channel.CreateUnbounded<byte[]>();
     private readonly StringBuilder _behind = new();
     private string? _keeps;
     private bool _echoes;
@@ -31,7 +23,7 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
     public string? Kept { private get; set; }
 
     /// <summary>Returns the bytes that arrive instead of a line.</summary>
-    public Func<string, string> Harm { private get; set; } = line => line;
+    public Func<string, string> Corrupt { private get; set; } = line => line;
 
     /// <summary>Lines as received, in one piece or several.</summary>
     public List<string> Written { get; } = [];
@@ -40,7 +32,7 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
     {
         var text = Encoding.Latin1.GetString(bytes.Span);
         Written.Add(text);
-        foreach (var line in text.Split('\r', StringSplitOptions.RemoveEmptyEntries)) Hear(Harm(line));
+        foreach (var line in text.Split('\r', StringSplitOptions.RemoveEmptyEntries)) Receive(Corrupt(line));
         return ValueTask.CompletedTask;
     }
 
@@ -49,24 +41,24 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
     {
         var answer = _keeps! + _behind;
         _keeps = null;
-        Say(answer);
+        Reply(answer);
     }
 
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
     {
-        if (!await _said.Reader.WaitToReadAsync(cancellation)) return 0;
-        _said.Reader.TryRead(out var next);
+        if (!await _sent.Reader.WaitToReadAsync(cancellation)) return 0;
+        _sent.Reader.TryRead(out var next);
         next!.CopyTo(buffer);
         return next!.Length;
     }
 
     public ValueTask DisposeAsync()
     {
-        _said.Writer.TryComplete();
+        _sent.Writer.TryComplete();
         return ValueTask.CompletedTask;
     }
 
-    private void Hear(string line)
+    private void Receive(string line)
     {
         if (line == "\\") _greets = 3;
         if (line == "EO 0") _echoes = false;
@@ -76,10 +68,10 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
         if (line == "EO 1") _echoes = true;
         if (line == Kept)
         {
-            Say(heard);
+            Reply(heard);
             (_keeps, Kept) = (replies, null);
         }
-        else if (_keeps is null) Say(heard + replies);
+        else if (_keeps is null) Reply(heard + replies);
         else Overtake(heard, replies);
     }
 
@@ -93,13 +85,13 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
         }
 
         var head = heard[..(heard.Length / 2)];
-        Say(echo == EchoTime.BeforeTheAnswer ? heard : head);
+        Reply(echo == EchoTime.BeforeTheAnswer ? heard : head);
         if (echo == EchoTime.AmidTheAnswer) _keeps = _keeps![..2] + heard[head.Length..] + _keeps[2..];
         _behind.Append(replies);
     }
 
-    private void Say(string text)
+    private void Reply(string text)
     {
-        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // an empty read would be the end of the link
+        if (text.Length > 0) _sent.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // an empty read would be the end of the link
     }
 }

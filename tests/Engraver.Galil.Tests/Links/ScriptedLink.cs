@@ -27,7 +27,7 @@ internal sealed class ScriptedLink(Func<string, string?> script) : IControllerLi
     }
 
     /// <summary>Sends unsolicited bytes.</summary>
-    public void Say(string text) => _answers.Writer.TryWrite(Encoding.Latin1.GetBytes(text));
+    public void Reply(string text) => _answers.Writer.TryWrite(Encoding.Latin1.GetBytes(text));
 
     public void Close() => _answers.Writer.TryComplete();
 
@@ -57,6 +57,6 @@ internal sealed class ScriptedLink(Func<string, string?> script) : IControllerLi
         var line = _line.ToString();
         _line.Clear();
         Received.Add(line);
-        if (script(line) is { } answer) Say(answer);
+        if (script(line) is { } answer) Reply(answer);
     }
 }

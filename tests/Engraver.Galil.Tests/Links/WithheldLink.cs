@@ -15,7 +15,7 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     public SerialLine? Line => inner.Line;
 
     /// <summary>Completes when the host waits for a withheld reply.</summary>
-    public Task SomebodyWaits => _waiting.Task;
+    public Task HasWaiter => _waiting.Task;
 
     public void Withhold() => _withhold = true;
 
@@ -30,28 +30,28 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     public Action<string>? Sending { get; set; }
 
     /// <summary>Returns the bytes that the controller receives instead of a line, including its CR; null leaves every line unchanged.</summary>
-    public Func<string, string>? Harm { get; set; }
+    public Func<string, string>? Corrupt { get; set; }
 
     /// <summary>Returns the bytes that the host receives instead of the sent ones; null leaves them unchanged.</summary>
-    public Func<string, string>? Mend { get; set; }
+    public Func<string, string>? Repair { get; set; }
 
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         var line = Encoding.Latin1.GetString(bytes.Span);
         Sending?.Invoke(line);
-        return inner.WriteAsync(Harm is { } harm ? Encoding.Latin1.GetBytes(harm(line)) : bytes, cancellation);
+        return inner.WriteAsync(Corrupt is { } harm ? Encoding.Latin1.GetBytes(harm(line)) : bytes, cancellation);
     }
 
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
     {
-        if (!_withhold) return Mended(buffer, await inner.ReadAsync(buffer, cancellation));
+        if (!_withhold) return Repaired(buffer, await inner.ReadAsync(buffer, cancellation));
         _waiting.TrySetResult();
         await _released.Task.WaitAsync(cancellation);
-        return Mended(buffer, await inner.ReadAsync(buffer, cancellation));
+        return Repaired(buffer, await inner.ReadAsync(buffer, cancellation));
     }
 
-    private int Mended(Memory<byte> buffer, int count) =>
-        Mend is { } mend ? Encoding.Latin1.GetBytes(mend(Encoding.Latin1.GetString(buffer.Span[..count])), buffer.Span) : count;
+    private int Repaired(Memory<byte> buffer, int count) =>
+        Repair is { } mend ? Encoding.Latin1.GetBytes(mend(Encoding.Latin1.GetString(buffer.Span[..count])), buffer.Span) : count;
 
     public ValueTask DisposeAsync() => inner.DisposeAsync();
 }

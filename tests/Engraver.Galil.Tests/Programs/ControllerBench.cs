@@ -12,10 +12,10 @@ internal sealed class ControllerBench : IAsyncDisposable
     private readonly SimulatedController _controller = new(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider(), ProgramLines = 1000 });
     private readonly Stream _stream;
 
-    private readonly StringBuilder _heard = new();
+    private readonly StringBuilder _received = new();
 
     /// <summary>All output so far, messages without their eighth bit.</summary>
-    public string Heard => _heard.Append(string.Concat(Read().Select(letter => (char)(letter & 0x7F)))).ToString();
+    public string Received => _received.Append(string.Concat(Read().Select(letter => (char)(letter & 0x7F)))).ToString();
 
     public ControllerBench() => _stream = _controller.OpenConnection();
 
@@ -30,7 +30,7 @@ internal sealed class ControllerBench : IAsyncDisposable
     {
         _stream.Write(Encoding.Latin1.GetBytes(bytes));
         var reply = Read();
-        _heard.Append(string.Concat(reply.Select(letter => (char)(letter & 0x7F))));
+        _received.Append(string.Concat(reply.Select(letter => (char)(letter & 0x7F))));
         return reply;
     }
 

@@ -14,7 +14,7 @@ public class PostInControllerTests
     private const byte Tool = 1;
 
     /// <summary>Half a diagonal count of rounding at each sample in addition to the count by which an arc may deviate, and a margin.</summary>
-    private const double MostOff = 2.5;
+    private const double MaxDeviation = 2.5;
 
     /// <summary>Distance of samples at 20 counts per ms.</summary>
     private const double SampleSpacing = 25.0;
@@ -64,9 +64,9 @@ public class PostInControllerTests
         same.RunJob(text);
 
         Assert.Equal((0, 0.0, 0.0, 0.0), (other.Status.Outputs, other.Value("_RPA"), other.Value("_RPB"), other.Value("_ED")));
-        Assert.Contains("MTB IS", other.Heard, StringComparison.Ordinal);
-        Assert.Contains("SEND MOB THEN MTB=", other.Heard, StringComparison.Ordinal);
-        Assert.DoesNotContain("MTB IS", same.Heard, StringComparison.Ordinal);
+        Assert.Contains("MTB IS", other.Received, StringComparison.Ordinal);
+        Assert.Contains("SEND MOB THEN MTB=", other.Received, StringComparison.Ordinal);
+        Assert.DoesNotContain("MTB IS", same.Received, StringComparison.Ordinal);
         AssertCutAsDrawn(toolpath, profile.Scale, same.Record);
     }
 
@@ -123,7 +123,7 @@ public class PostInControllerTests
         Assert.Equal((15000, 5000, 0), ((int)bench.Value("_RPA"), (int)bench.Value("_RPB"), bench.Status.Outputs));
     }
 
-    private static PostText Post(MotionProgram program, int lines)
+    private static PostOutput Post(MotionProgram program, int lines)
     {
         var options = DmcPostOptions.Default with { MemoryLines = lines };
         return program.Style == MotionStyle.Calls ? DmcPost.Calls(program, options) : DmcPost.Sequences(program, options);
@@ -169,8 +169,8 @@ public class PostInControllerTests
         var at = 0;
         foreach (var place in cut)
         {
-            if (Off(at) > MostOff) at = Enumerable.Range(0, drawn.Count).MinBy(Off);
-            Assert.InRange(Off(at), 0.0, MostOff);
+            if (Off(at) > MaxDeviation) at = Enumerable.Range(0, drawn.Count).MinBy(Off);
+            Assert.InRange(Off(at), 0.0, MaxDeviation);
 
             double Off(int segment) => scale.Finer.CountsOf(drawn[segment].DistanceTo(place));
         }

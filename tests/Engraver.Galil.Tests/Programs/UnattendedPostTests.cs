@@ -150,7 +150,7 @@ public class UnattendedPostTests
         Assert.Contains("CB1;SHAB;ox=10000;oy=-20500\n", Text(("origin", "10,-20.5")), StringComparison.Ordinal);
         Assert.Contains("\n#TCPERR\n", Text(("unattended", "yes")), StringComparison.Ordinal);
         Assert.Equal("MOT0001", Assert.Single(GalilPost.Sequences.Write(UsualOptions.Post(Slot(), program, null, new Dictionary<string, string> { ["origin"] = "99999999,0" })).Diagnostics).Id);
-        Assert.All(["10", "a,b", "1,2,3,4", ""], place => Assert.False(GalilPost.Sequences.Options.Single(option => option.Name == "origin").Takes(place)));
+        Assert.All(["10", "a,b", "1,2,3,4", ""], place => Assert.False(GalilPost.Sequences.Options.Single(option => option.Name == "origin").IsValid(place)));
     }
 
     /// <summary>A slot of 20 by 4 mm and a line beside it.</summary>
@@ -160,7 +160,7 @@ public class UnattendedPostTests
         [Toolpaths.Line(3, 12, 13, 12)],
         [Toolpaths.Line(3, 14, 13, 14)]);
 
-    private static PostText Post(Toolpath path, MachineProfile profile, MotionStyle style, DmcPostOptions options)
+    private static PostOutput Post(Toolpath path, MachineProfile profile, MotionStyle style, DmcPostOptions options)
     {
         var program = MotionProgramGenerator.Generate(path, profile, 0.001, null, style).Program!;
         return style == MotionStyle.Calls ? DmcPost.Calls(program, options) : DmcPost.Sequences(program, options);

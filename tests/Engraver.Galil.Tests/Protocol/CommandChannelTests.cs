@@ -102,7 +102,7 @@ public class CommandChannelTests
 
         await cancelled.CancelAsync();
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => channel.SendAsync("BGS", cancelled.Token).AsTask());
-        link.Say(" 1.0000\r\n:");
+        link.Reply(" 1.0000\r\n:");
 
         Assert.Equal(new Accepted("1.0000"), await waiting);
         Assert.Equal(new Accepted("2.0000"), await channel.SendAsync("MG 2", CancellationToken.None));

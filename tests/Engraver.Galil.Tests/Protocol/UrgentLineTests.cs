@@ -21,7 +21,7 @@ public class UrgentLineTests
         link.Kept = "MG _RPA";
         var late = channel.SendAsync("MG _RPA", CancellationToken.None).AsTask();
 
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
         Assert.Equal(["MG _RPA\r", Stop + "\r"], link.Written);
         link.Release();
 
@@ -40,7 +40,7 @@ public class UrgentLineTests
         link.Kept = "VP 1,2";
         var late = channel.SendAsync("VP 1,2", CancellationToken.None).AsTask();
 
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
         link.Release();
 
         Assert.Equal(Accepted.Silent, await late);
@@ -54,8 +54,8 @@ public class UrgentLineTests
         var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer);
         await using var channel = await OpenAsync(link);
 
-        await channel.UrgeAsync(Stop);
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
 
         Assert.Equal([Stop + "\r", Stop + "\r"], link.Written);
         Assert.Equal(new Accepted("5.0000"), await channel.SendAsync("MG x", CancellationToken.None));
@@ -69,12 +69,12 @@ public class UrgentLineTests
         await using var channel = await OpenAsync(link);
         link.Kept = "MG _RPA";
         var late = channel.SendAsync("MG _RPA", CancellationToken.None).AsTask();
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
         link.Release();
         await late;
         link.Written.Clear();
 
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
 
         Assert.Empty(link.Written);
         Assert.Equal(Accepted.Silent, await channel.SendAsync(Stop, CancellationToken.None));
@@ -85,12 +85,12 @@ public class UrgentLineTests
     [Fact]
     public async Task It_goes_out_while_a_harmed_line_is_greeted_again()
     {
-        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer) { Harm = line => line == "VP 1,2" ? "VP 1,3" : line };
+        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer) { Corrupt = line => line == "VP 1,2" ? "VP 1,3" : line };
         await using var channel = await OpenAsync(link);
         link.Kept = "MG \"READY\"";
         var harmed = channel.SendAsync("VP 1,2", CancellationToken.None).AsTask();
 
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
         Assert.Equal(Stop + "\r", link.Written[^1]);
         link.Release();
 
@@ -103,12 +103,12 @@ public class UrgentLineTests
     [Fact]
     public async Task It_goes_out_at_once_on_a_line_without_echoes_whoever_takes_the_turn_next()
     {
-        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer) { Harm = line => line == "VP 1,2" ? "VP 1,3" : line };
+        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer) { Corrupt = line => line == "VP 1,2" ? "VP 1,3" : line };
         await using var channel = await OpenAsync(link);
         await Assert.ThrowsAsync<EchoException>(async () => await channel.SendAsync("VP 1,2", CancellationToken.None));
         link.Written.Clear();
 
-        await channel.UrgeAsync(Stop);
+        await channel.SendUrgentAsync(Stop);
 
         Assert.Equal([Stop + "\r"], link.Written);
         Assert.Equal(new Accepted("5.0000"), await channel.SendAsync("MG x", CancellationToken.None));
@@ -129,7 +129,7 @@ public class UrgentLineTests
     /// <summary>A command that the controller receives differently is detected.</summary>
     private static async Task AssertComparesAsync(CommandChannel channel, EchoingLink link)
     {
-        link.Harm = line => line == "VP 1,2" ? "VP 1,3" : line;
+        link.Corrupt = line => line == "VP 1,2" ? "VP 1,3" : line;
         await Assert.ThrowsAsync<EchoException>(async () => await channel.SendAsync("VP 1,2", CancellationToken.None));
     }
 }

@@ -41,7 +41,7 @@ public class OperatorStopTests
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
 
-        Assert.Equal((JobOutcome.Stopped, "Stopped by the operator."), (result.Outcome, result.Sentence));
+        Assert.Equal((JobOutcome.Stopped, "Stopped by the operator."), (result.Outcome, result.Message));
         Assert.NotEqual(0, pressedAt);
         CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
         CutRecord.AssertNothingElseWasCut(bench, program);
@@ -98,11 +98,11 @@ public class OperatorStopTests
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(
             MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
-        await links[0].SomebodyWaits;
+        await links[0].HasWaiter;
 
         var braked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         var answers = 0;
-        links[1].Mend = text =>
+        links[1].Repair = text =>
         {
             answers += text.Count(sign => sign == ':');
             if (answers == 4) braked.TrySetResult(); // the whole stop in one line; CB, STS and ST of the second pass
@@ -136,8 +136,8 @@ public class OperatorStopTests
             links[0].Withhold(); // the feeder waits as well: time must not pass before the press
         });
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
-        await links[1].SomebodyWaits;
-        await links[0].SomebodyWaits;
+        await links[1].HasWaiter;
+        await links[0].HasWaiter;
 
         await stop.CancelAsync();
         var atOnce = bench.Controller.Status.Outputs;
@@ -161,7 +161,7 @@ public class OperatorStopTests
         using var stop = new CancellationTokenSource();
         var trial = new CancelWhen(progress => progress.X > 50000, link.Withhold);
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
-        await link.SomebodyWaits;
+        await link.HasWaiter;
 
         await stop.CancelAsync();
         var atOnce = bench.Controller.Status.Outputs;
@@ -180,12 +180,12 @@ public class OperatorStopTests
         links[0].Withhold();
         var late = session.Commands.SendAsync("MG 1", CancellationToken.None).AsTask();
 
-        await session.Commands.UrgeAsync("x=2;MG x");
+        await session.Commands.SendUrgentAsync("x=2;MG x");
         links[0].Release();
 
         Assert.Equal("1.0000", Assert.IsType<Accepted>(await late).Data);
         Assert.Equal("4.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x+2", CancellationToken.None)).Data);
-        await session.Commands.UrgeAsync("x=7"); // no command waits: it is sent in its turn
+        await session.Commands.SendUrgentAsync("x=7"); // no command waits: it is sent in its turn
         Assert.Equal("2.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x", CancellationToken.None)).Data);
     }
 
@@ -208,7 +208,7 @@ public class OperatorStopTests
     public async Task A_motion_that_is_begun_and_does_not_move_does_not_keep_the_stop_waiting()
     {
         await using var bench = new SimulatedBench();
-        await using var session = await bench.OpenAsync(opened: link => link.Harm = line => line.Replace("MG _BGS,_BGA", "MG _BGS,1", StringComparison.Ordinal));
+        await using var session = await bench.OpenAsync(opened: link => link.Corrupt = line => line.Replace("MG _BGS,_BGA", "MG _BGS,1", StringComparison.Ordinal));
 
         var standstill = await new OperatorStop(session, [1], [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
 

@@ -22,7 +22,7 @@ public class PlaceQuestionsTests
     {
         var place = await AskAsync(a, b, MachineAxes.Default);
 
-        Assert.Equal((steppers, ""), (place.Uncounted, place.Untold));
+        Assert.Equal((steppers, ""), (place.WithoutEncoder, place.AssumedSteppers));
         Assert.Equal(steppers.Length > 0, place.Doubt.Length > 0); // every motor is off
     }
 
@@ -34,14 +34,14 @@ public class PlaceQuestionsTests
     {
         var place = await AskAsync(Refused, Refused, new MachineAxes(new MachineAxis('A', 1000.0, x), new MachineAxis('B', 1000.0, y)));
 
-        Assert.Equal((steppers, untold), (place.Uncounted, place.Untold));
+        Assert.Equal((steppers, untold), (place.WithoutEncoder, place.AssumedSteppers));
     }
 
-    private static async Task<Core.Machines.Origins.ControllerPlace> AskAsync(string a, string b, MachineAxes axes)
+    private static async Task<Core.Machines.Origins.ControllerPosition> AskAsync(string a, string b, MachineAxes axes)
     {
         var answers = new Dictionary<string, string> { ["MG _RPA,_RPB"] = " 0.0000 0.0000\r\n", ["MG _MTA"] = a, ["MG _MTB"] = b, ["MG _MOA"] = " 1.0000\r\n", ["MG _MOB"] = " 1.0000\r\n", ["TC1"] = "1 Unrecognized command\r\n" };
         var link = new ScriptedLink(line => answers.GetValueOrDefault(line, Refused) is var answer && answer == Refused ? Refused : answer + ":");
         await using var channel = new CommandChannel(link, "A", TimeSpan.FromSeconds(2), new ManualTimeProvider(), null);
-        return await PlaceQuestions.AskAsync(channel, "AB", axes, CancellationToken.None);
+        return await PositionQueries.AskAsync(channel, "AB", axes, CancellationToken.None);
     }
 }

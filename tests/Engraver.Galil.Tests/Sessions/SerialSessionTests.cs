@@ -45,7 +45,7 @@ public class SerialSessionTests
     {
         await using var bench = new SimulatedBench();
         await using var session = await ControllerSession.OpenAsync(
-            _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(19200)) { Harm = line => line.Replace("PRA=5000\r", "PRA=50000\r", StringComparison.Ordinal) }),
+            _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(19200)) { Corrupt = line => line.Replace("PRA=5000\r", "PRA=50000\r", StringComparison.Ordinal) }),
             new SessionOptions(), TimeProvider.System, CancellationToken.None);
         await session.Commands.SendAsync("SHA", CancellationToken.None);
 

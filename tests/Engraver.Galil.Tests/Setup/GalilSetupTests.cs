@@ -129,7 +129,7 @@ public class GalilSetupTests
         await using var bench = new SimulatedBench();
 
         var result = await PulseAsync(bench, bench.Controller.DropConnections);
-        bench.GiveClockBack();
+        bench.ReleaseClock();
         bench.Controller.Advance(TimeSpan.FromSeconds(3));
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);

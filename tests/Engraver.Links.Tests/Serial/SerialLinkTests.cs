@@ -18,8 +18,8 @@ public class SerialLinkTests
         var every = Encoding.Latin1.GetString([.. Enumerable.Range(0, 256).Select(value => (byte)value)]);
 
         await link.WriteAsync(Encoding.Latin1.GetBytes(every), CancellationToken.None);
-        var heard = cable.Hear(256);
-        cable.Say(every);
+        var heard = cable.Read(256);
+        cable.Write(every);
 
         Assert.Equal(every, heard);
         Assert.Equal(every, await ReadAsync(link, 256));
@@ -57,7 +57,7 @@ public class SerialLinkTests
     {
         var cable = new PseudoTerminalPair();
         await using var link = cable.Open();
-        cable.Say("LAST:");
+        cable.Write("LAST:");
         var last = await ReadAsync(link, 5);
         var reading = link.ReadAsync(new byte[16], CancellationToken.None).AsTask();
 
@@ -94,7 +94,7 @@ public class SerialLinkTests
         await using var link = cable.Open();
         var writing = link.WriteAsync(Encoding.ASCII.GetBytes(new string('A', 100_000)), CancellationToken.None).AsTask();
 
-        Assert.Equal(new string('A', 100_000), await Task.Run(() => cable.Hear(100_000)).WaitAsync(s_patience));
+        Assert.Equal(new string('A', 100_000), await Task.Run(() => cable.Read(100_000)).WaitAsync(s_patience));
         await writing.WaitAsync(s_patience);
     }
 
@@ -108,7 +108,7 @@ public class SerialLinkTests
 
         await cancel.CancelAsync();
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reading);
-        cable.Say("TP:");
+        cable.Write("TP:");
 
         Assert.Equal("TP:", await ReadAsync(link, 3));
     }
@@ -117,9 +117,9 @@ public class SerialLinkTests
     public async Task What_an_earlier_host_left_unread_is_dropped()
     {
         using var cable = new PseudoTerminalPair();
-        cable.Say("STALE\r");
+        cable.Write("STALE\r");
         await using var link = cable.Open();
-        cable.Say("NEW");
+        cable.Write("NEW");
 
         Assert.Equal("NEW", await ReadAsync(link, 3));
     }

@@ -24,7 +24,7 @@ public sealed class SimulatedLineTests : IDisposable
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1, Time = _wall });
         var device = Path.Combine(_folder.FullName, "line");
         await controller.ServeSerialAsync(device, Baud, _limit.Token);
-        controller.SerialCarriesAtOnce = atOnce;
+        controller.IsSerialInstant = atOnce;
         await using var line = SerialLink.Open(new SerialAddress(device, Baud), TimeSpan.FromSeconds(60), TimeProvider.System);
         var begun = _wall.GetTimestamp();
 

@@ -13,7 +13,7 @@ public class HostClockTests
     [Fact]
     public async Task A_wait_passes_its_time_to_the_tick_and_nothing_else_does()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var clock = rig.Controller.JoinClock();
         rig.Do("SPA=10000", "PRA=5000", "BGA");
         var begun = rig.Controller.Status.Sample;
@@ -30,7 +30,7 @@ public class HostClockTests
     [Fact]
     public async Task Commands_take_their_time_on_the_clock()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var clock = rig.Controller.JoinClock();
         var begun = clock.GetTimestamp();
 
@@ -47,11 +47,11 @@ public class HostClockTests
     [InlineData(double.PositiveInfinity)]
     public async Task A_host_of_this_process_that_is_late_is_waited_for_at_every_speed(double speed)
     {
-        var wall = new StoppedTime();
+        var wall = new StoppedTimeProvider();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = wall });
         await using var link = controller.OpenConnection();
         using var clock = controller.JoinClock();
-        Rig.Exchange(link, $"DL\r{ExamplePrograms.Watchdog.ReplaceLineEndings("\r")}\\XQ#WDOG,1\rhb=20\r{MovingUnderWatchdog}\rMG _R"); // and half a command
+        SimulatorRig.Exchange(link, $"DL\r{ExamplePrograms.Watchdog.ReplaceLineEndings("\r")}\\XQ#WDOG,1\rhb=20\r{MovingUnderWatchdog}\rMG _R"); // and half a command
         var late = controller.Status.Sample;
 
         for (var step = 0; step < 36_000; step++) wall.Advance(TimeSpan.FromMilliseconds(100)); // an hour
@@ -62,7 +62,7 @@ public class HostClockTests
     [Fact]
     public async Task A_host_that_gave_the_clock_back_is_found_by_the_watchdog_after_one_second_of_the_controllers_clock()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         var clock = rig.Controller.JoinClock();
         rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20").Ask(MovingUnderWatchdog);
         var death = rig.Controller.Status.Sample;
@@ -82,7 +82,7 @@ public class HostClockTests
     public async Task A_host_of_another_process_that_hangs_is_found_by_the_watchdog_after_one_second_of_the_controllers_clock(bool hasClock, double speed)
     {
         using var limit = new CancellationTokenSource(s_patience);
-        var wall = new StoppedTime();
+        var wall = new StoppedTimeProvider();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = wall });
         using var host = await TcpClientEnd.ConnectAsync(await controller.ListenTcpAsync(0, limit.Token), limit.Token);
         using var clock = new TcpClient();
@@ -104,7 +104,7 @@ public class HostClockTests
     [Fact]
     public async Task Two_hosts_are_both_waited_for()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var first = rig.Controller.JoinClock();
         using var second = rig.Controller.JoinClock();
 
@@ -122,7 +122,7 @@ public class HostClockTests
     [Fact]
     public async Task A_wait_that_is_cancelled_leaves_the_host_at_work()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var first = rig.Controller.JoinClock();
         using var second = rig.Controller.JoinClock();
         using var stop = new CancellationTokenSource();
@@ -138,7 +138,7 @@ public class HostClockTests
     [Fact]
     public async Task A_deadline_fires_when_time_passes_it_and_lets_none_pass()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var clock = rig.Controller.JoinClock();
         var fired = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var deadline = clock.CreateTimer(_ => fired.TrySetResult(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
@@ -156,7 +156,7 @@ public class HostClockTests
     [InlineData(200.0)]
     public async Task A_finite_speed_holds_a_waiting_host_back_to_the_wall(double speed)
     {
-        var wall = new StoppedTime();
+        var wall = new StoppedTimeProvider();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = wall });
         using var clock = controller.JoinClock();
         wall.Advance(TimeSpan.FromSeconds(5)); // at work
@@ -175,7 +175,7 @@ public class HostClockTests
     [Fact]
     public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
-        var wall = new StoppedTime();
+        var wall = new StoppedTimeProvider();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20.0, Time = wall });
         using var clock = controller.JoinClock();
         var given = clock.CreateTimer(_ => { }, null, TimeSpan.FromSeconds(100), Timeout.InfiniteTimeSpan);
@@ -190,7 +190,7 @@ public class HostClockTests
     [Fact]
     public async Task A_host_that_waits_for_an_answer_which_never_comes_reaches_its_time_out()
     {
-        await using var rig = new Rig(new SimulatorOptions { Faults = new FaultPlan { FreezeAfterCommands = 1 } });
+        await using var rig = new SimulatorRig(new SimulatorOptions { Faults = new FaultPlan { FreezeAfterCommands = 1 } });
         using var clock = rig.Controller.JoinClock();
         var fired = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var deadline = clock.CreateTimer(_ => fired.TrySetResult(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
@@ -217,7 +217,7 @@ public class HostClockTests
     [Fact]
     public async Task The_clock_over_a_socket_gives_the_time_waits_and_is_given_back()
     {
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         var place = await rig.Controller.ListenClockAsync(CancellationToken.None);
         using (var client = new TcpClient())
         {
@@ -246,7 +246,7 @@ public class HostClockTests
     [Fact]
     public async Task A_wait_over_a_socket_is_ended_by_stop_and_by_the_end_of_the_controller()
     {
-        var rig = new Rig();
+        var rig = new SimulatorRig();
         var place = await rig.Controller.ListenClockAsync(CancellationToken.None);
         var other = rig.Controller.JoinClock(); // a second host that is active: no time passes
         using var client = new TcpClient();
@@ -288,7 +288,7 @@ public class HostClockTests
     private static async Task<MotionSample[]> RecordAsync(int seed)
     {
         var random = new Random(seed);
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         using var clock = rig.Controller.JoinClock();
         async Task StallAsync()
         {
@@ -320,5 +320,5 @@ public class HostClockTests
         await passed.Task;
     }
 
-    private static MotionSample FirstWithToolOff(Rig rig, long from) => rig.Controller.Record.Snapshot().First(sample => sample.Sample > from && sample.Outputs == 0);
+    private static MotionSample FirstWithToolOff(SimulatorRig rig, long from) => rig.Controller.Record.Snapshot().First(sample => sample.Sample > from && sample.Outputs == 0);
 }

@@ -12,7 +12,7 @@ internal sealed class FuzzedController : IAsyncDisposable
     private readonly int _seed;
     private readonly Random _random;
     private readonly StatementSource _source;
-    private readonly StoppedTime _time = new();
+    private readonly StoppedTimeProvider _time = new();
     private readonly SimulatedController _controller;
     private readonly List<string> _recent = [];
     private Stream _network;
@@ -35,7 +35,7 @@ internal sealed class FuzzedController : IAsyncDisposable
             for (line = 1; line <= lines; line++)
             {
                 Send();
-                if (line % Round == 0 && Unanswered() is { } silence) return Report(line, silence);
+                if (line % Round == 0 && FindFailureToReply() is { } silence) return Report(line, silence);
             }
         }
         catch (Exception bug)
@@ -58,16 +58,16 @@ internal sealed class FuzzedController : IAsyncDisposable
         switch (_random.Next(30))
         {
             case 0:
-                foreach (var statement in _source.Motion()) Say(statement + "\r");
+                foreach (var statement in _source.Motion()) SendLine(statement + "\r");
                 break;
             case 1:
-                Say("AB;ST;HX\r"); // no program must run
-                Say("DL\r" + string.Join('\r', _source.Program()) + "\\");
-                Say($"XQ#A,{_random.Next(0, 9)}\r");
-                Say("XQ#B,1;XQ\r");
+                SendLine("AB;ST;HX\r"); // no program must run
+                SendLine("DL\r" + string.Join('\r', _source.Program()) + "\\");
+                SendLine($"XQ#A,{_random.Next(0, 9)}\r");
+                SendLine("XQ#B,1;XQ\r");
                 break;
             case 2:
-                Hands();
+                OperateInputs();
                 break;
             case 3:
                 Pass();
@@ -75,18 +75,18 @@ internal sealed class FuzzedController : IAsyncDisposable
             case 4:
                 var bytes = new byte[_random.Next(1, 40)];
                 _random.NextBytes(bytes);
-                Say(Encoding.Latin1.GetString(bytes));
+                SendLine(Encoding.Latin1.GetString(bytes));
                 break;
             case 5:
-                Say(string.Concat(_source.Line().Where(_ => _random.Next(6) != 0)) + "\r");
+                SendLine(string.Concat(_source.Line().Where(_ => _random.Next(6) != 0)) + "\r");
                 break;
             default:
-                Say(_source.Line() + (_random.Next(10) == 0 ? ";" : "\r"));
+                SendLine(_source.Line() + (_random.Next(10) == 0 ? ";" : "\r"));
                 break;
         }
     }
 
-    private void Say(string text)
+    private void SendLine(string text)
     {
         _recent.Add(text);
         var serial = _random.Next(12) == 0;
@@ -114,7 +114,7 @@ internal sealed class FuzzedController : IAsyncDisposable
         else _time.Advance(TimeSpan.FromMilliseconds(_random.Next(1, 30)));
     }
 
-    private void Hands()
+    private void OperateInputs()
     {
         var (axis, on) = (_random.Next(4), _random.Next(2) == 0);
         _recent.Add($"(hand on axis {axis}: {on})");
@@ -130,7 +130,7 @@ internal sealed class FuzzedController : IAsyncDisposable
     }
 
     /// <summary>After any input: the end of a text and the end of a line are sent, and then the next query is answered, on every connection.</summary>
-    private string? Unanswered()
+    private string? FindFailureToReply()
     {
         Ask(() => _network, "\\\r\"\rCI0;\r"); // no program owns the serial port
         if (_controller.Broken is { IsFaulted: true, Exception: { } bug }) return bug.ToString();
@@ -147,7 +147,7 @@ internal sealed class FuzzedController : IAsyncDisposable
 
     private string Ask(Func<Stream> open, string text)
     {
-        Rig.ReadAvailable(open());
+        SimulatorRig.ReadAvailable(open());
         try
         {
             open().Write(Encoding.Latin1.GetBytes(text));
@@ -158,7 +158,7 @@ internal sealed class FuzzedController : IAsyncDisposable
             open().Write(Encoding.Latin1.GetBytes(text));
         }
 
-        return Rig.ReadAvailable(open());
+        return SimulatorRig.ReadAvailable(open());
     }
 
     private string Report(int line, string what) =>

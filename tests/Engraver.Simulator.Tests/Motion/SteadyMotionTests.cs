@@ -15,8 +15,8 @@ public class SteadyMotionTests
     [MemberData(nameof(Seeds))]
     public async Task Jumping_and_stepping_give_the_same_rows_times_and_operands(int seed)
     {
-        await using var jumping = new Rig();
-        await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+        await using var jumping = new SimulatorRig();
+        await using var stepping = new SimulatorRig(new SimulatorOptions { JumpsSteadyMotion = false });
         var random = new Random(seed);
 
         foreach (var (command, milliseconds) in Session(random))
@@ -36,10 +36,10 @@ public class SteadyMotionTests
     [MemberData(nameof(Seeds))]
     public async Task A_program_is_released_in_the_same_sample(int seed)
     {
-        await using var jumping = new Rig();
-        await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+        await using var jumping = new SimulatorRig();
+        await using var stepping = new SimulatorRig(new SimulatorOptions { JumpsSteadyMotion = false });
         var program = Program(new Random(seed));
-        foreach (var rig in (Rig[])[jumping, stepping]) rig.Download(program).Do("XQ#JOB", "XQ#SIDE,1");
+        foreach (var rig in (SimulatorRig[])[jumping, stepping]) rig.Download(program).Do("XQ#JOB", "XQ#SIDE,1");
 
         while (!stepping.Controller.Status.IsIdle && stepping.Controller.Status.Sample < 400_000) stepping.Pass(50_000);
         while (!jumping.Controller.Status.IsIdle && jumping.Controller.Status.Sample < 400_000) jumping.Pass(50_000);
@@ -54,8 +54,8 @@ public class SteadyMotionTests
     public async Task A_program_that_waits_for_room_goes_on_in_the_same_sample(int seed)
     {
         var (random, counter) = (new Random(seed), new Counter());
-        await using var jumping = new Rig();
-        await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+        await using var jumping = new SimulatorRig();
+        await using var stepping = new SimulatorRig(new SimulatorOptions { JumpsSteadyMotion = false });
         using var heard = jumping.Controller.Record.Subscribe(counter);
         string[] program =
         [
@@ -63,7 +63,7 @@ public class SteadyMotionTests
             "JP#GOES,n>1", "BGS", "#GOES", "JS#ROOM", "JP#MORE,n<60", "VE", "AMS", "EN",
             "#ROOM", .. random.Next(2) == 0 ? (string[])["JP#GONE,m=1"] : [], .. random.Next(2) == 0 ? (string[])["JP#GONE,(_BGA=5)|(@OUT[1]=1)"] : [], $"JP#ROOM,_LMS<{random.Next(500, 511)}", "t=TIME", "EN", "#GONE", "EN",
         ];
-        foreach (var rig in (Rig[])[jumping, stepping]) rig.Download(string.Join('\n', program)).Do("XQ#JOB");
+        foreach (var rig in (SimulatorRig[])[jumping, stepping]) rig.Download(string.Join('\n', program)).Do("XQ#JOB");
 
         while (!stepping.Controller.Status.IsIdle && stepping.Controller.Status.Sample < 400_000) stepping.Pass(50_000);
         while (!jumping.Controller.Status.IsIdle && jumping.Controller.Status.Sample < 400_000) jumping.Pass(50_000);
@@ -84,10 +84,10 @@ public class SteadyMotionTests
     {
         for (var lines = 0; lines < 40; lines++)
         {
-            await using var jumping = new Rig();
-            await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+            await using var jumping = new SimulatorRig();
+            await using var stepping = new SimulatorRig(new SimulatorOptions { JumpsSteadyMotion = false });
             string[] program = ["#JOB", "VMAB;VS 20000;VA 1000000;VD 1000000", "VP 60000,0;VE;BGS", "WT 500", .. Enumerable.Repeat("NO", lines), "#ASK", $"JP#ASK,{condition}", "EN"];
-            foreach (var rig in (Rig[])[jumping, stepping])
+            foreach (var rig in (SimulatorRig[])[jumping, stepping])
             {
                 rig.Download(string.Join('\n', program)).Do("XQ#JOB");
                 rig.Pass(5000);
@@ -102,7 +102,7 @@ public class SteadyMotionTests
     public async Task A_long_line_is_a_few_spans_and_single_samples()
     {
         var counter = new Counter();
-        await using var rig = new Rig();
+        await using var rig = new SimulatorRig();
         rig.Controller.Record.Subscribe(counter);
         rig.Do("VMAB", "VS 20000", "VA 500000", "VD 500000", "VP 8000000,0", "VE", "BGS");
 
@@ -118,7 +118,7 @@ public class SteadyMotionTests
     public async Task Listeners_are_told_what_a_record_that_keeps_nothing_does_not_keep()
     {
         var counter = new Counter();
-        await using var rig = new Rig(new SimulatorOptions { KeepsRecord = false });
+        await using var rig = new SimulatorRig(new SimulatorOptions { KeepsRecord = false });
         using (rig.Controller.Record.Subscribe(counter)) rig.Do("PRA=100000", "BGA").RunToIdle();
         var heard = counter.Rows;
         rig.Do("PRA=100000", "BGA").RunToIdle();
@@ -128,7 +128,7 @@ public class SteadyMotionTests
         Assert.Equal(heard, counter.Rows);
     }
 
-    private static string Csv(Rig rig)
+    private static string Csv(SimulatorRig rig)
     {
         var text = new StringWriter(CultureInfo.InvariantCulture);
         rig.Controller.Record.WriteCsv(text);

@@ -8,7 +8,7 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class ControlTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(60);
 
     [Fact]
     public Task A_click_presses_a_button() => fixture.WithDemo((demo, hands) =>
@@ -93,7 +93,7 @@ public sealed class ControlTests(DesktopFixture fixture)
     public Task A_tip_appears_when_the_pointer_rests() => fixture.WithDemo((demo, hands) =>
     {
         hands.MovePointer(demo.Middle(demo.Counter));
-        fixture.Desktop.StepUntil(() => ToolTip.GetIsOpen(demo.Counter), Patience);
+        fixture.Desktop.StepUntil(() => ToolTip.GetIsOpen(demo.Counter), Timeout);
 
         hands.MovePointer(new Point(790, 510));
         Assert.False(ToolTip.GetIsOpen(demo.Counter));

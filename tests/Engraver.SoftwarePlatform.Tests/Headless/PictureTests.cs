@@ -8,7 +8,7 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(60);
     private static readonly string s_folder = Path.Combine(AppContext.BaseDirectory, "pictures");
 
     [Fact]
@@ -28,7 +28,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         var under = new PixelPoint(40, 90);
         var before = hands.PixelAt(under.X, under.Y);
         hands.Click(demo.Middle(demo.File));
-        fixture.Desktop.StepUntil(() => hands.PixelAt(under.X, under.Y) != before, Patience);
+        fixture.Desktop.StepUntil(() => hands.PixelAt(under.X, under.Y) != before, Timeout);
         Save(hands, "menu.png");
     });
 

@@ -11,7 +11,7 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class WindowTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(60);
 
     /// <summary>Also when the renderer has not drawn an earlier change yet.</summary>
     [Fact]
@@ -104,11 +104,11 @@ public sealed class WindowTests(DesktopFixture fixture)
     public Task Closing_can_be_refused() => fixture.WithDemo((demo, hands) =>
     {
         demo.Closing += Refuse;
-        hands.AskToClose();
+        hands.RequestClose();
         Assert.Contains(hands, fixture.Desktop.Windows);
 
         demo.Closing -= Refuse;
-        hands.AskToClose();
+        hands.RequestClose();
         Assert.DoesNotContain(hands, fixture.Desktop.Windows);
     });
 
@@ -117,7 +117,7 @@ public sealed class WindowTests(DesktopFixture fixture)
     {
         var rung = false;
         DispatcherTimer.RunOnce(() => rung = true, TimeSpan.FromMilliseconds(30));
-        fixture.Desktop.StepUntil(() => rung, Patience);
+        fixture.Desktop.StepUntil(() => rung, Timeout);
 
         Assert.True(rung);
     });

@@ -10,15 +10,15 @@ public sealed class BareServerTests
         using var window = new ShownWindow(server, scale: 1.5);
         server.Press("F5");
 
-        window.Told.WaitFor("key F5");
+        window.Program.WaitFor("key F5");
     }
 
     [Fact]
     public void Without_a_display_one_sentence_says_so()
     {
-        using var told = new ToldProcess("dotnet", ":4711", typeof(BareServerTests).Assembly.Location);
+        using var told = new LineProcess("dotnet", ":4711", typeof(BareServerTests).Assembly.Location);
 
         Assert.Equal(3, told.WaitForExit());
-        Assert.Equal(["error: The X display \":4711\" cannot be opened: no server answers there, or it does not let this user in."], told.Heard);
+        Assert.Equal(["error: The X display \":4711\" cannot be opened: no server answers there, or it does not let this user in."], told.Lines);
     }
 }

@@ -78,7 +78,7 @@ internal sealed unsafe class OtherProgram : IDisposable
                 if (received.Type == type) return received;
             }
 
-            var watched = new Libc.PollFd { Descriptor = Xlib.XConnectionNumber(_connection.Display), Asked = Libc.PollIn };
+            var watched = new Libc.PollFd { Descriptor = Xlib.XConnectionNumber(_connection.Display), Events = Libc.PollIn };
             Assert.True(Libc.poll(&watched, 1, patienceMs) == 1, $"{type} never came.");
         }
     }

@@ -10,7 +10,7 @@ public sealed class RealWindowTests : IDisposable
 
     public RealWindowTests() => _window = new ShownWindow(_server);
 
-    private ToldProcess Told => _window.Told;
+    private LineProcess Program => _window.Program;
 
     public void Dispose()
     {
@@ -22,10 +22,10 @@ public sealed class RealWindowTests : IDisposable
     public void A_click_presses_and_typed_text_arrives()
     {
         _server.Click(_window.Counter.X, _window.Counter.Y);
-        Told.WaitFor("pressed 1");
+        Program.WaitFor("pressed 1");
 
         TypeInto("xdotool", "Feed 12.5 mm/s (X_1) + 2");
-        Told.WaitFor("text Feed 12.5 mm/s (X_1) + 2");
+        Program.WaitFor("text Feed 12.5 mm/s (X_1) + 2");
     }
 
     [XServerFact]
@@ -33,7 +33,7 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Click(_window.Rows.X, _window.Rows.Y, button: 5);
 
-        Told.WaitFor("scrolled");
+        Program.WaitFor("scrolled");
     }
 
     [XServerFact]
@@ -41,35 +41,35 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Run("xdotool", "windowsize", _window.Id, "901", "602");
 
-        Told.WaitFor("size 901 602");
+        Program.WaitFor("size 901 602");
     }
 
     [XServerFact]
     public void The_clipboard_goes_out_and_comes_in()
     {
-        Told.Ask("copy größe ✓");
-        Told.WaitFor("copied");
+        Program.Send("copy größe ✓");
+        Program.WaitFor("copied");
         Assert.Equal("größe ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
         Assert.Contains("text/plain;charset=utf-8", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"), StringComparison.Ordinal);
 
         using var other = new OtherProgram(_server);
         other.GiveClipboardTo(() => _server.OfferClipboard("von außen ✓"));
         Assert.Equal("von außen ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
-        Told.Ask("paste");
-        Assert.Equal("clipboard von außen ✓", Told.WaitFor("clipboard"));
+        Program.Send("paste");
+        Assert.Equal("clipboard von außen ✓", Program.WaitFor("clipboard"));
     }
 
     [XServerFact]
     public void A_clipboard_larger_than_one_request_goes_in_pieces()
     {
-        Told.Ask("copylong 700000");
-        Told.WaitFor("copied");
+        Program.Send("copylong 700000");
+        Program.WaitFor("copied");
         Assert.Equal(new string('ä', 700_000), _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
 
         using var other = new OtherProgram(_server);
         other.GiveClipboardTo(() => _server.OfferClipboard(new string('ß', 1_500_000)));
-        Told.Ask("pastelong");
-        Assert.Equal("clipboard length 1500000", Told.WaitFor("clipboard"));
+        Program.Send("pastelong");
+        Assert.Equal("clipboard length 1500000", Program.WaitFor("clipboard"));
     }
 
     [XServerFact]
@@ -77,10 +77,10 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Run("setxkbmap", "de");
         _server.Click(_window.Entry.X, _window.Entry.Y);
-        Told.WaitFor("entry focused");
+        Program.WaitFor("entry focused");
         _server.Run("xdotool", "key", "odiaeresis", "ssharp", "y", "dead_acute", "e", "dead_grave", "a");
 
-        Told.WaitFor("text ößyéà");
+        Program.WaitFor("text ößyéà");
     }
 
     [XServerFact]
@@ -88,68 +88,68 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Run("setxkbmap", "de");
         _server.Run("xdotool", "key", "--clearmodifiers", "z");
-        Told.WaitFor("filter Z down");
+        Program.WaitFor("filter Z down");
         _server.Press("ctrl+space");
-        Told.WaitFor("filter Space down Control");
-        Told.WaitFor("key Space");
+        Program.WaitFor("filter Space down Control");
+        Program.WaitFor("key Space");
     }
 
     /// <summary>The order proves it: the filter has replied before the user interface is released.</summary>
     [XServerFact]
     public void The_key_filter_is_called_while_the_user_interface_is_blocked()
     {
-        Told.Ask("block");
-        Told.WaitFor("blocked");
+        Program.Send("block");
+        Program.WaitFor("blocked");
         _server.Press("Pause");
-        Told.WaitFor("filter Pause down");
-        Assert.DoesNotContain("released", Told.Heard);
+        Program.WaitFor("filter Pause down");
+        Assert.DoesNotContain("released", Program.Lines);
 
-        Told.Ask("release");
-        Told.WaitFor("released");
+        Program.Send("release");
+        Program.WaitFor("released");
         _server.Press("F5");
-        Told.WaitFor("key F5");
-        Assert.DoesNotContain("key Pause", Told.Heard);
+        Program.WaitFor("key F5");
+        Assert.DoesNotContain("key Pause", Program.Lines);
     }
 
     [XServerFact]
     public void A_region_answers_while_the_user_interface_is_blocked()
     {
-        Told.Ask("region");
-        Told.WaitFor("region added");
-        Told.Ask("block");
-        Told.WaitFor("blocked");
+        Program.Send("region");
+        Program.WaitFor("region added");
+        Program.Send("block");
+        Program.WaitFor("blocked");
         _server.Click(_window.Counter.X, _window.Counter.Y);
-        Told.WaitFor("region pressed");
-        Assert.DoesNotContain("released", Told.Heard);
+        Program.WaitFor("region pressed");
+        Assert.DoesNotContain("released", Program.Lines);
 
-        Told.Ask("release");
-        Told.WaitFor("released");
+        Program.Send("release");
+        Program.WaitFor("released");
         _server.Press("F5");
-        Told.WaitFor("key F5");
-        Assert.DoesNotContain("pressed 1", Told.Heard);
+        Program.WaitFor("key F5");
+        Assert.DoesNotContain("pressed 1", Program.Lines);
     }
 
     [XServerFact]
     public void A_modal_dialog_stops_its_owner_and_gives_its_answer()
     {
-        Told.Ask("dialog");
-        Told.WaitFor("dialog active");
+        Program.Send("dialog");
+        Program.WaitFor("dialog active");
         _server.Click(_window.Counter.X - 30, _window.Counter.Y);
         _server.Press("Return");
 
-        Told.WaitFor("dialog answered yes");
-        Assert.DoesNotContain("pressed 1", Told.Heard);
+        Program.WaitFor("dialog answered yes");
+        Assert.DoesNotContain("pressed 1", Program.Lines);
     }
 
     [XServerFact]
     public void The_window_manager_s_states_come_and_go()
     {
-        Told.Ask("state Maximized");
-        Told.WaitFor("size 1280 ");
-        Told.Ask("state FullScreen");
-        Told.WaitFor("size 1280 900");
-        Told.Ask("state Normal");
-        Told.WaitFor("size 800 520");
+        Program.Send("state Maximized");
+        Program.WaitFor("size 1280 ");
+        Program.Send("state FullScreen");
+        Program.WaitFor("size 1280 900");
+        Program.Send("state Normal");
+        Program.WaitFor("size 800 520");
     }
 
     [XServerFact]
@@ -158,7 +158,7 @@ public sealed class RealWindowTests : IDisposable
         using var other = new OtherProgram(_server);
         var taken = other.Drop(nint.Parse(_window.Id, CultureInfo.InvariantCulture), _window.Rows.X, _window.Rows.Y, "file:///tmp/gr%C3%B6%C3%9Fe.dxf\r\nfile:///tmp/b.dxf\r\n");
 
-        Assert.Equal("dropped /tmp/größe.dxf|/tmp/b.dxf", Told.WaitFor("dropped"));
+        Assert.Equal("dropped /tmp/größe.dxf|/tmp/b.dxf", Program.WaitFor("dropped"));
         Assert.True(taken);
     }
 
@@ -167,9 +167,9 @@ public sealed class RealWindowTests : IDisposable
     {
         using var other = new OtherProgram(_server);
         other.AskToClose(nint.Parse(_window.Id, CultureInfo.InvariantCulture));
-        Told.WaitFor("closing");
+        Program.WaitFor("closing");
 
-        Assert.Equal(0, Told.WaitForExit());
+        Assert.Equal(0, Program.WaitForExit());
     }
 
     [XServerFact]
@@ -177,7 +177,7 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Run("xdotool", "windowclose", _window.Id);
 
-        Assert.Equal(0, Told.WaitForExit());
+        Assert.Equal(0, Program.WaitForExit());
     }
 
     [XServerFact]
@@ -196,14 +196,14 @@ public sealed class RealWindowTests : IDisposable
     {
         _server.Kill();
 
-        Told.WaitFor("lost The X display has gone");
-        Assert.Equal(1, Told.WaitForExit());
+        Program.WaitFor("lost The X display has gone");
+        Assert.Equal(1, Program.WaitForExit());
     }
 
     private void TypeInto(string program, string text)
     {
         _server.Click(_window.Entry.X, _window.Entry.Y);
-        Told.WaitFor("entry focused");
+        Program.WaitFor("entry focused");
         _server.Run(program, "type", "--delay", "1", text);
     }
 }

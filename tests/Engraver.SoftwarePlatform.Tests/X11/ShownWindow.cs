@@ -7,16 +7,16 @@ internal sealed class ShownWindow : IDisposable
 {
     public ShownWindow(XServer server, double scale = 1.0)
     {
-        Told = new ToldProcess("dotnet", server.Display, typeof(ShownWindow).Assembly.Location, scale.ToString(CultureInfo.InvariantCulture));
-        Told.WaitFor("active");
-        Told.Ask("where");
-        Counter = Place(Told.WaitFor("at counter"));
-        Entry = Place(Told.WaitFor("at entry"));
-        Rows = Place(Told.WaitFor("at rows"));
-        Id = Told.WaitFor("window").Split(' ')[1];
+        Program = new LineProcess("dotnet", server.Display, typeof(ShownWindow).Assembly.Location, scale.ToString(CultureInfo.InvariantCulture));
+        Program.WaitFor("active");
+        Program.Send("where");
+        Counter = Place(Program.WaitFor("at counter"));
+        Entry = Place(Program.WaitFor("at entry"));
+        Rows = Place(Program.WaitFor("at rows"));
+        Id = Program.WaitFor("window").Split(' ')[1];
     }
 
-    public ToldProcess Told { get; }
+    public LineProcess Program { get; }
 
     public (int X, int Y) Counter { get; }
 
@@ -27,7 +27,7 @@ internal sealed class ShownWindow : IDisposable
     /// <summary>The window's number on the server.</summary>
     public string Id { get; }
 
-    public void Dispose() => Told.Dispose();
+    public void Dispose() => Program.Dispose();
 
     private static (int X, int Y) Place(string line)
     {

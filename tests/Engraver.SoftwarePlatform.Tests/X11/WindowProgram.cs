@@ -12,14 +12,14 @@ internal static class WindowProgram
     public static int Main(string[] arguments)
     {
         var scale = arguments.Length > 0 ? double.Parse(arguments[0], System.Globalization.CultureInfo.InvariantCulture) : 1.0;
-        using var story = new WindowStory();
+        using var story = new WindowEventLog();
         var options = new SoftwarePlatformOptions
         {
             Scale = scale,
             ApplicationName = "demo",
-            Filter = WindowStory.FilterKey,
+            Filter = WindowEventLog.FilterKey,
             Regions = story.Regions,
-            DisplayLost = lost => WindowStory.Say($"lost {lost.Message}"),
+            DisplayLost = lost => WindowEventLog.WriteLine($"lost {lost.Message}"),
         };
         try
         {
@@ -33,7 +33,7 @@ internal static class WindowProgram
         }
     }
 
-    private static void Open(WindowStory story)
+    private static void Open(WindowEventLog story)
     {
         var demo = new DemoWindow();
         ((IClassicDesktopStyleApplicationLifetime)Application.Current!.ApplicationLifetime!).MainWindow = demo;

@@ -5,17 +5,17 @@ namespace Engraver.SoftwarePlatform.Tests.X11;
 /// <summary>An X server without a screen, on a free display, with a window manager, and the simulated input of other programs.</summary>
 internal sealed class XServer : IDisposable
 {
-    private readonly ToldProcess _server;
-    private readonly ToldProcess? _manager;
+    private readonly LineProcess _server;
+    private readonly LineProcess? _manager;
 
     /// <param name="screenFolder">The folder in which the server keeps its screen as a file that can be read at any time; null: none.</param>
     public XServer(bool withWindowManager = true, string? screenFolder = null)
     {
         string[] kept = screenFolder is null ? [] : ["-fbdir", screenFolder];
-        _server = new ToldProcess("Xvfb", null, ["-displayfd", "1", "-screen", "0", "1280x900x24", "-nolisten", "tcp", "-noreset", .. kept]);
+        _server = new LineProcess("Xvfb", null, ["-displayfd", "1", "-screen", "0", "1280x900x24", "-nolisten", "tcp", "-noreset", .. kept]);
         Display = ":" + FirstLine(_server);
         if (!withWindowManager) return;
-        _manager = new ToldProcess("openbox", Display, "--sm-disable", "--config-file", "/dev/null", "--startup", "echo ready");
+        _manager = new LineProcess("openbox", Display, "--sm-disable", "--config-file", "/dev/null", "--startup", "echo ready");
         _manager.WaitFor("ready");
     }
 
@@ -71,5 +71,5 @@ internal sealed class XServer : IDisposable
 
     private static string Text(int number) => number.ToString(System.Globalization.CultureInfo.InvariantCulture);
 
-    private static string FirstLine(ToldProcess process) => process.WaitFor("");
+    private static string FirstLine(LineProcess process) => process.WaitFor("");
 }

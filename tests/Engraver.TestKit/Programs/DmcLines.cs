@@ -7,10 +7,10 @@ namespace Engraver.TestKit.Programs;
 /// else is skipped, without checks.</summary>
 public sealed class DmcLines
 {
-    private const int MostStatements = 200_000;
+    private const int MaxStatements = 200_000;
 
     /// <summary>Time in which a machine from rest moves three counts, seconds.</summary>
-    private const double Twitch = 0.008;
+    private const double MinMotion = 0.008;
 
     private readonly List<(string Label, string Text)> _statements = [];
     private readonly Dictionary<string, double> _variables = [];
@@ -22,7 +22,7 @@ public sealed class DmcLines
     private double? _toX;
     private double? _toY;
     private bool _isOn;
-    private readonly List<(string Name, double Value)> _acts = [];
+    private readonly List<(string Name, double Value)> _actions = [];
     /// <summary>Speeds and accelerations; until a program sets them, those of power-on (galil-dmc.md C).</summary>
     private readonly Dictionary<string, double> _set = new() { ["VS"] = 25000, ["VA"] = 256000, ["VD"] = 256000, ["SPA"] = 25000, ["SPB"] = 25000, ["ACA"] = 256000, ["ACB"] = 256000, ["DCA"] = 256000, ["DCB"] = 256000 };
     private double _waited;
@@ -32,7 +32,7 @@ public sealed class DmcLines
 
     /// <summary>Every move with its duration at the present speeds and accelerations, and the waits of the program before it; a wait after the last move is
     /// ignored. Null as above.</summary>
-    public static IReadOnlyList<(string Name, double Value)>? Acts(string text) => Read(text)?._acts;
+    public static IReadOnlyList<(string Name, double Value)>? Actions(string text) => Read(text)?._actions;
 
     private static DmcLines? Read(string text)
     {
@@ -49,7 +49,7 @@ public sealed class DmcLines
     private bool Run()
     {
         var (calls, at) = (new Stack<int>(), 0);
-        for (var count = 0; at < _statements.Count && count < MostStatements; count++)
+        for (var count = 0; at < _statements.Count && count < MaxStatements; count++)
         {
             var text = _statements[at++].Text;
             if (text == "EN" && calls.Count == 0) return true;
@@ -60,7 +60,7 @@ public sealed class DmcLines
                 at = _statements.FindIndex(one => one.Label == text[2..]);
                 if (at < 0) return false;
             }
-            else if (!Do(text))
+            else if (!Execute(text))
             {
                 return false;
             }
@@ -69,7 +69,7 @@ public sealed class DmcLines
         return at >= _statements.Count;
     }
 
-    private bool Do(string text)
+    private bool Execute(string text)
     {
         if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank is ignored
         if (text is "SB1" or "CB1") _isOn = text == "SB1";
@@ -101,9 +101,9 @@ public sealed class DmcLines
 
     private void Move(double seconds)
     {
-        if (!(seconds > Twitch)) return; // within the tolerance of a position
-        _acts.Add(("rest", _waited));
-        _acts.Add(("move", seconds));
+        if (!(seconds > MinMotion)) return; // within the tolerance of a position
+        _actions.Add(("rest", _waited));
+        _actions.Add(("move", seconds));
         _waited = 0.0;
     }
 

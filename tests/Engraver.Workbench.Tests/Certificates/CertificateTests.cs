@@ -45,7 +45,7 @@ public class CertificateTests
         var changed = part.Standing();
         await File.WriteAllBytesAsync(part.File, bytes);
 
-        Assert.Equal((CertificateState.Stale, "drawing"), (changed.State, Assert.Single(changed.Differs)));
+        Assert.Equal((CertificateState.Stale, "drawing"), (changed.State, Assert.Single(changed.Differences)));
         Assert.Equal(CertificateState.Stands, part.Standing().State);
     }
 
@@ -57,10 +57,10 @@ public class CertificateTests
         var other = part.Standing(settings: part.Settings with { JoinToleranceMm = 0.02, Order = Engraver.Core.Sequencing.Ordering.StrokeOrder.Drawn });
         var fed = part.Standing(settings: part.Settings with { Machine = part.Settings.Machine with { FeedMmPerMinute = part.Settings.Machine.FeedMmPerMinute + 1.0 } });
 
-        Assert.Equal((CertificateState.Stale, "join-tolerance order"), (other.State, string.Join(' ', other.Differs)));
-        Assert.Equal((CertificateState.Stale, "profile"), (fed.State, string.Join(' ', fed.Differs)));
-        Assert.Contains("changed: --join-tolerance, --order;", SettingWording.OnConsole(other.Sentence), StringComparison.Ordinal);
-        Assert.Contains("changed: CNCJOINTOL, CNCORDER;", SettingWording.AtCommandLine(other.Sentence), StringComparison.Ordinal);
+        Assert.Equal((CertificateState.Stale, "join-tolerance order"), (other.State, string.Join(' ', other.Differences)));
+        Assert.Equal((CertificateState.Stale, "profile"), (fed.State, string.Join(' ', fed.Differences)));
+        Assert.Contains("changed: --join-tolerance, --order;", SettingWording.OnConsole(other.Message), StringComparison.Ordinal);
+        Assert.Contains("changed: CNCJOINTOL, CNCORDER;", SettingWording.AtCommandLine(other.Message), StringComparison.Ordinal);
     }
 
     /// <summary>Each mode sends another program; each has its own certificate file.</summary>
@@ -77,10 +77,10 @@ public class CertificateTests
         Assert.Equal([CertificateState.Stands, CertificateState.Stands], new[] { JobMode.Stream, JobMode.Calls }.Select(mode => part.Standing(mode).State));
         Assert.Equal(["part.certificate.json", "part.galil-calls.certificate.json", "part.gcode-grbl.certificate.json"], Directory.GetFiles(Path.GetDirectoryName(part.File)!, "*.json").Select(Path.GetFileName).Order(StringComparer.Ordinal));
         var grbl = CertificateFile.PathOf(part.File, "gcode", "grbl");
-        Assert.Equal(CertificateState.Stands, CertificateStanding.Of(grbl, Certification.IdentityOf(part.Request("gcode") with { Dialect = "grbl" })).State);
-        Assert.Equal("target", Assert.Single(CertificateStanding.Of(grbl, Certification.IdentityOf(part.Request("gcode"))).Differs));
+        Assert.Equal(CertificateState.Stands, CertificateStatus.Of(grbl, Certification.IdentityOf(part.Request("gcode") with { Dialect = "grbl" })).State);
+        Assert.Equal("target", Assert.Single(CertificateStatus.Of(grbl, Certification.IdentityOf(part.Request("gcode"))).Differences));
         File.Copy(CertificateFile.PathOf(part.File, "galil-calls"), part.Certificate, overwrite: true);
-        Assert.Equal("target", Assert.Single(part.Standing().Differs));
+        Assert.Equal("target", Assert.Single(part.Standing().Differences));
     }
 
     /// <summary>2 mm deep, 10 mm above the work between strokes.</summary>
@@ -106,12 +106,12 @@ public class CertificateTests
         using var part = new CertifiedPart();
         var text = PostedProgram.Create(part.Request().Drawing, part.Settings, PostTable.Find("galil").Post, PostedProgram.NoOptions).Text!;
         var given = await part.CertifyAsync(part.Request() with { Program = ("job.dmc", text) });
-        var spoiled = CertificateStanding.Of(part.Certificate, Certification.IdentityOf(part.Request() with { Program = ("job.dmc", text + " ") }));
+        var spoiled = CertificateStatus.Of(part.Certificate, Certification.IdentityOf(part.Request() with { Program = ("job.dmc", text + " ") }));
 
         Assert.Equal("job.dmc", given.Program.File);
         Assert.Equal(CertificateState.Stands, part.Standing().State);
-        Assert.Equal(CertificateState.Stands, CertificateStanding.Of(part.Certificate, Certification.IdentityOf(part.Request() with { Program = ("job.dmc", text) })).State);
-        Assert.Equal((CertificateState.Stale, "program"), (spoiled.State, Assert.Single(spoiled.Differs)));
+        Assert.Equal(CertificateState.Stands, CertificateStatus.Of(part.Certificate, Certification.IdentityOf(part.Request() with { Program = ("job.dmc", text) })).State);
+        Assert.Equal((CertificateState.Stale, "program"), (spoiled.State, Assert.Single(spoiled.Differences)));
     }
 
     [Fact]
@@ -120,11 +120,11 @@ public class CertificateTests
         using var part = new CertifiedPart();
         await part.CertifyAsync();
         var job = JobPreparation.Prepare(part.Request().Drawing, part.Settings, MotionStyle.Continuous);
-        var standing = CertificateStanding.OfRun(job with { Followed = new FollowedTrajectories(job.Drawing, part.Settings with { MaxErrorMm = 0.002 }, []) }, job.Motion.Program!);
+        var standing = CertificateStatus.OfRun(job with { Trajectories = new FollowedTrajectories(job.Drawing, part.Settings with { MaxErrorMm = 0.002 }, []) }, job.Motion.Program!);
 
         Assert.Equal(CertificateState.None, standing.State);
-        Assert.StartsWith("A certificate covers the drawing only", standing.Check.Sentence, StringComparison.Ordinal);
-        Assert.Equal(CertificateState.Stands, CertificateStanding.OfRun(job, job.Motion.Program!).State);
+        Assert.StartsWith("A certificate covers the drawing only", standing.Check.Message, StringComparison.Ordinal);
+        Assert.Equal(CertificateState.Stands, CertificateStatus.OfRun(job, job.Motion.Program!).State);
     }
 
     /// <summary>A slow serial line reduces the feed: the certificate covers the slower program that is sent.</summary>
@@ -139,8 +139,8 @@ public class CertificateTests
         Assert.NotEmpty(fit.Diagnostics);
         await part.CertifyAsync(part.Request() with { Address = line });
 
-        Assert.Equal(CertificateState.Stands, CertificateStanding.OfRun(job, fit.Program).State);
-        Assert.Equal("program", Assert.Single(CertificateStanding.OfRun(job, job.Motion.Program!).Differs));
+        Assert.Equal(CertificateState.Stands, CertificateStatus.OfRun(job, fit.Program).State);
+        Assert.Equal("program", Assert.Single(CertificateStatus.OfRun(job, job.Motion.Program!).Differences));
     }
 
     [Fact]
@@ -170,7 +170,7 @@ public class CertificateTests
 
         Assert.Equal((CertificateState.Stale, null), (standing.State, standing.Certificate));
         Assert.NotNull(standing.Problem);
-        Assert.EndsWith("[certify] writes a new one", standing.Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("[certify] writes a new one", standing.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -189,7 +189,7 @@ public class CertificateTests
     {
         using var part = new CertifiedPart();
         var (job, ready) = (MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true });
-        ArmingChecklist List(CertificateStanding standing) => ArmingChecklist.Create(job, ready, errorsAccepted: false, MachineBench.Placed, default, standing.Check);
+        ArmingChecklist List(CertificateStatus standing) => ArmingChecklist.Create(job, ready, errorsAccepted: false, MachineBench.Placed, default, standing.Check);
         var none = List(part.Standing());
         await part.CertifyAsync();
         var stands = List(part.Standing());
@@ -197,8 +197,8 @@ public class CertificateTests
 
         Assert.All([none, stands, stale], list => Assert.True(list.Passed));
         Assert.Equal([("note", false), ("ok", false), ("WARN", true)], new[] { none, stands, stale }.Select(list => (list.Checks[2].Line.Split(' ')[0], list.Checks[2].IsWarning)));
-        Assert.Contains("CERTIFY verifies the program", none.Checks[2].Sentence, StringComparison.Ordinal);
-        Assert.StartsWith("The certificate is valid: the program was verified on 2026-11-23", stands.Checks[2].Sentence, StringComparison.Ordinal);
-        Assert.Contains("changed: CNCMAXERR", stale.Checks[2].Sentence, StringComparison.Ordinal);
+        Assert.Contains("CERTIFY verifies the program", none.Checks[2].Message, StringComparison.Ordinal);
+        Assert.StartsWith("The certificate is valid: the program was verified on 2026-11-23", stands.Checks[2].Message, StringComparison.Ordinal);
+        Assert.Contains("changed: CNCMAXERR", stale.Checks[2].Message, StringComparison.Ordinal);
     }
 }

@@ -39,10 +39,10 @@ internal sealed class CertifiedPart : IDisposable
     }
 
     /// <summary>Certificate status of a run of the part, optionally with other settings.</summary>
-    public CertificateStanding Standing(JobMode mode = JobMode.Stream, DrawingSettings? settings = null)
+    public CertificateStatus Standing(JobMode mode = JobMode.Stream, DrawingSettings? settings = null)
     {
         var job = JobPreparation.Prepare(DrawingFile.Open(File, settings ?? Settings, CancellationToken.None), settings ?? Settings, mode.Strategy().Style);
-        return CertificateStanding.OfRun(job, job.Motion.Program!);
+        return CertificateStatus.OfRun(job, job.Motion.Program!);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);

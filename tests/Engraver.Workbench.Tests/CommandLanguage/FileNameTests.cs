@@ -19,13 +19,13 @@ public class FileNameTests
     [InlineData("a~b.dxf", "a~b.dxf")]
     [InlineData("~plate.dxf", "~plate.dxf")]
     [InlineData("file:///tmp/my%20plate.dxf", "/tmp/my plate.dxf")]
-    public void Quotes_and_addresses_are_read(string typed, string name) => Assert.Equal(name, TypedFileName.Read(typed));
+    public void Quotes_and_addresses_are_read(string typed, string name) => Assert.Equal(name, TypedFileName.Parse(typed));
 
     [Fact]
     public void The_home_folder_is_a_tilde()
     {
-        Assert.Equal(s_home, TypedFileName.Read("~"));
-        Assert.Equal(Path.Combine(s_home, "a", "b.dxf"), TypedFileName.Read("\"~/a/b.dxf\""));
+        Assert.Equal(s_home, TypedFileName.Parse("~"));
+        Assert.Equal(Path.Combine(s_home, "a", "b.dxf"), TypedFileName.Parse("\"~/a/b.dxf\""));
     }
 
     [Theory]
@@ -34,7 +34,7 @@ public class FileNameTests
     [InlineData("'plate'")]
     [InlineData("\"plate\"")]
     [InlineData("/tmp/plate ")]
-    public void What_is_written_is_read_back(string path) => Assert.Equal(path, TypedFileName.Read(TypedFileName.Write(path)));
+    public void What_is_written_is_read_back(string path) => Assert.Equal(path, TypedFileName.Parse(TypedFileName.Format(path)));
 
     [Theory]
     [InlineData("plate", "plate.dxf")]
@@ -43,15 +43,15 @@ public class FileNameTests
     [InlineData("plate.DXF", "plate.DXF")]
     [InlineData("folder/", "folder/")]
     [InlineData("/dev/stdout", "/dev/stdout")]
-    public void The_usual_ending_is_added_where_none_fits(string typed, string name) => Assert.Equal(name, new FileWanted(FileWanted.Drawing, true, ".dxf").WithEnding(typed));
+    public void The_usual_ending_is_added_where_none_fits(string typed, string name) => Assert.Equal(name, new FileRequest(FileRequest.Drawing, true, ".dxf").WithExtension(typed));
 
     [Fact]
     public async Task SAVEAS_adds_the_ending_and_asks_about_that_file()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await File.WriteAllTextAsync(talk.PathOf("my plate.dxf"), "old");
         await talk.TypeAsync("SAVEAS", "\"my plate\"");
-        Assert.True(talk.Session.Prompt.Replaces);
+        Assert.True(talk.Session.Prompt.ConfirmsReplacing);
         await talk.TypeAsync("Yes");
 
         Assert.NotEqual("old", await File.ReadAllTextAsync(talk.PathOf("my plate.dxf")));
@@ -61,14 +61,14 @@ public class FileNameTests
     [Fact]
     public async Task OPEN_takes_a_name_in_quotes_and_tells_a_missing_file_once()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("my plate.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("my plate.dxf"));
         await talk.TypeAsync("OPEN", "'my plate.dxf'");
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "missing.dxf"));
         Assert.Single(talk.Said.Split('\n'), line => line.Contains("missing.dxf", StringComparison.Ordinal));
-        Assert.Contains("missing.dxf was not opened", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains("missing.dxf was not opened", failed.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -15,7 +15,7 @@ public class KeywordTests
     [InlineData("ALL", "al", false)]
     [InlineData("ALL", "all", true)]
     public void Capitals_or_a_beginning_that_reaches_the_last_capital_mean_the_option(string option, string typed, bool means) =>
-        Assert.Equal(means, new Keyword(option).Means(typed));
+        Assert.Equal(means, new Keyword(option).Matches(typed));
 
     [Theory]
     [InlineData("L", "Last")]
@@ -42,7 +42,7 @@ public class KeywordTests
     [InlineData("@", 10, 20)]
     public void A_point_is_typed_as_in_a_CAD_program(string typed, double x, double y)
     {
-        var point = Assert.IsType<Reading<Point2D>.Value>(new PointPrompt("p").Read(typed, new Point2D(10, 20))).Of;
+        var point = Assert.IsType<ParsedInput<Point2D>.Value>(new PointPrompt("p").Parse(typed, new Point2D(10, 20))).Result;
 
         Assert.True(point.IsNear(new Point2D(x, y), 1e-12));
     }
@@ -54,5 +54,5 @@ public class KeywordTests
     [InlineData("nan,0")]
     [InlineData("#")]
     [InlineData("5<")]
-    public void What_is_no_point_is_said_so(string typed) => Assert.IsType<Reading<Point2D>.Wrong>(new PointPrompt("p").Read(typed, default));
+    public void What_is_no_point_is_said_so(string typed) => Assert.IsType<ParsedInput<Point2D>.Invalid>(new PointPrompt("p").Parse(typed, default));
 }

@@ -21,13 +21,13 @@ public sealed class BrokenCommandTests : IDisposable
         await using var session = Session(late);
 
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token));
-        Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended with an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
-        Assert.IsType<KeyNotFoundException>(failed.Bug);
+        Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended with an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Reason, failed.Message));
+        Assert.IsType<KeyNotFoundException>(failed.Exception);
         Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // At its old position.
         var alarm = Assert.Single(session.Machine.Alarms.Open);
         Assert.Equal((AlarmCause.InternalError, "BREAKDOWN", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
         Assert.Equal(PromptView.Idle, session.Prompt);
-        Assert.IsType<InputResult.Done>(await session.EnterAsync("GRID", _limit.Token) is InputResult.Asking ? await session.EnterAsync("OFF", _limit.Token) : new InputResult.Cancelled());
+        Assert.IsType<InputResult.Done>(await session.EnterAsync("GRID", _limit.Token) is InputResult.AwaitingInput ? await session.EnterAsync("OFF", _limit.Token) : new InputResult.Cancelled());
     }
 
     [Fact]
@@ -38,8 +38,8 @@ public sealed class BrokenCommandTests : IDisposable
         await session.EnterAsync("SCRIPT", _limit.Token);
 
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("a.scr", _limit.Token));
-        Assert.Contains("a.scr(2)", failed.Sentence, StringComparison.Ordinal);
-        Assert.NotNull(failed.Bug);
+        Assert.Contains("a.scr(2)", failed.Message, StringComparison.Ordinal);
+        Assert.NotNull(failed.Exception);
         Assert.False(session.View.Current.Grid);
     }
 
@@ -47,14 +47,14 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task While_a_job_runs_the_machine_is_stopped()
     {
         await using var session = Session(late: false);
-        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
+        foreach (var input in new[] { "OPEN", CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", SlowSimulator.Address, "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         session.Machine.Changed += (_, _) => { if (session.Machine.Status.ToolCommanded == true) cutting.TrySetResult(); };
         var job = session.EnterAsync("Yes", _limit.Token);
         await cutting.Task.WaitAsync(_limit.Token);
 
-        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token)).Sentence, StringComparison.Ordinal);
-        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Why);
+        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token)).Message, StringComparison.Ordinal);
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Reason);
         Assert.Equal((JobOutcome.Stopped, false), (session.Machine.Runs.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
     }
 
@@ -62,7 +62,7 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task A_listener_that_breaks_in_the_middle_of_a_job_ends_it_with_the_machine_at_rest_and_the_tool_off()
     {
         await using var session = Session(late: false);
-        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
+        foreach (var input in new[] { "OPEN", CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
         var isArmed = true;
         session.Machine.Changed += (_, _) =>
         {
@@ -72,7 +72,7 @@ public sealed class BrokenCommandTests : IDisposable
         };
 
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("Yes", _limit.Token));
-        Assert.Equal(CommandFailure.Internal, failed.Why);
+        Assert.Equal(CommandFailure.Internal, failed.Reason);
         Assert.False(session.Machine.IsRunning);
         Assert.Equal((MachineState.Ready, false, 0.0), (session.Machine.Status.State, session.Machine.Status.ToolCommanded!.Value, session.Machine.Status.Speed!.Value));
         Assert.Contains(session.Machine.Alarms.Open, alarm => alarm.Cause == AlarmCause.InternalError);
@@ -89,13 +89,13 @@ public sealed class BrokenCommandTests : IDisposable
         var built = CommandCatalog.Built();
         var commands = built.All.Select(info => built.Find(info.Name)!).Append(new BreakCommand(late));
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, new CommandCatalog(commands));
-        session.Said += (_, message) => { lock (_said) _said.Add(message); };
+        session.MessageWritten += (_, message) => { lock (_said) _said.Add(message); };
         return session;
     }
 
     private sealed class BreakCommand(bool late) : ICommand
     {
-        public CommandInfo Info { get; } = new("BREAKDOWN", CommandGroup.Ask) { HeardDuringJob = true };
+        public CommandInfo Info { get; } = new("BREAKDOWN", CommandGroup.Ask) { IsAllowedDuringJob = true };
 
         public async Task RunAsync(CommandContext context, CancellationToken cancellation)
         {

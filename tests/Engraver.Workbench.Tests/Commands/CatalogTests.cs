@@ -33,7 +33,7 @@ public class CatalogTests
     [Fact]
     public async Task Every_short_name_stands_for_a_command_and_none_of_a_letter_or_two_moves_anything()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.All(talk.Session.Aliases.Commands, pair => Assert.NotNull(talk.Session.Catalog.Find(pair.Value)));
         Assert.DoesNotContain(talk.Session.Aliases.Commands, pair => pair.Key.Length < 3 && talk.Session.Catalog.Find(pair.Value)!.Info.StartsMotion);
     }
@@ -46,11 +46,11 @@ public class CatalogTests
         {
             var environment = new CommandEnvironment { Folder = folder.FullName, RunJournalFolder = folder.FullName, RunNeedsArming = true };
             await using var session = new CommandSession(environment, CommandCatalog.Built());
-            session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
+            session.Document.Commit("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
             await File.WriteAllTextAsync(Path.Combine(folder.FullName, "a.scr"), "CNCRUN\nYes\n");
             foreach (var input in new[] { "CNCCONNECT", "sim:" }) await session.EnterAsync(input, CancellationToken.None);
 
-            Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.EnterAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
+            Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.EnterAsync("CNCRUN", CancellationToken.None)).Message, StringComparison.Ordinal);
             await session.EnterAsync("SCRIPT", CancellationToken.None);
             Assert.IsType<InputResult.Done>(await session.EnterAsync("a.scr", CancellationToken.None));
             Assert.NotNull(session.Machine.Runs.LastRun);

@@ -30,7 +30,7 @@ public class CommandPageTests
         foreach (var group in catalog.All.GroupBy(info => info.Group))
         {
             page.Append(CultureInfo.InvariantCulture, $"\n## {Title(group.Key)}\n\n| Command | Alias | | What it does |\n|---|---|---|---|\n");
-            foreach (var info in group) page.Append(CultureInfo.InvariantCulture, $"| `{info.Name}` | {string.Join(", ", aliases[info.Name].Order(StringComparer.Ordinal).Select(alias => $"`{alias}`"))} | {(info.Transparent ? "'" : "")}{(info.StartsMotion ? "!" : "")} | {info.Summary.Replace("|", "\\|", StringComparison.Ordinal)} |\n");
+            foreach (var info in group) page.Append(CultureInfo.InvariantCulture, $"| `{info.Name}` | {string.Join(", ", aliases[info.Name].Order(StringComparer.Ordinal).Select(alias => $"`{alias}`"))} | {(info.IsTransparent ? "'" : "")}{(info.StartsMotion ? "!" : "")} | {info.Summary.Replace("|", "\\|", StringComparison.Ordinal)} |\n");
         }
 
         return page.ToString();

@@ -72,7 +72,7 @@ public class CommissionCommandTests
         var found = await FingerprintAsync(talk);
 
         for (var i = 0; i < 100 && !talk.Session.Prompt.Text.StartsWith("Write these answers to a machine profile?", StringComparison.Ordinal); i++) await talk.TypeAsync("");
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("")); // consent is typed
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("")); // consent is typed
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("No"));
 
         Assert.Equal(found, await FingerprintAsync(talk));
@@ -117,8 +117,8 @@ public class CommissionCommandTests
         await talk.TypeAsync("Go", "3", "Yes", "Yes");
 
         Assert.StartsWith("Write these answers to a machine profile?", talk.Session.Prompt.Text, StringComparison.Ordinal);
-        const CommissioningState LeftOut = CommissioningState.LeftOut, Unfinished = CommissioningState.Unfinished;
-        Assert.Equal([LeftOut, LeftOut, LeftOut, CommissioningState.Through, Unfinished, Unfinished, Unfinished, CommissioningState.Through], talk.Session.Commissioning.Steps.Select(step => step.State));
+        const CommissioningState LeftOut = CommissioningState.Skipped, Unfinished = CommissioningState.Unfinished;
+        Assert.Equal([LeftOut, LeftOut, LeftOut, CommissioningState.Done, Unfinished, Unfinished, Unfinished, CommissioningState.Done], talk.Session.Commissioning.Steps.Select(step => step.State));
     }
 
     [Fact]
@@ -215,7 +215,7 @@ public class CommissionCommandTests
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var end = await controller.ListenTcpAsync(0, CancellationToken.None);
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}"));
         await File.WriteAllTextAsync(talk.PathOf("a.scr"), "CNCCOMMISSION Skip Skip Skip Skip Go 500 1000 Yes\n");
 
@@ -235,7 +235,7 @@ public class CommissionCommandTests
 
         var result = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("Yes"));
 
-        Assert.Equal(CommandFailure.LinkLost, result.Why);
+        Assert.Equal(CommandFailure.LinkLost, result.Reason);
         Assert.Contains("The motors could not be returned to their initial state", talk.Said, StringComparison.Ordinal);
     }
 
@@ -243,9 +243,9 @@ public class CommissionCommandTests
     public async Task With_an_axis_for_the_height_it_is_found_out_too_and_stays_where_it_is_while_others_move()
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var axes = MachineAxes.Default with { Z = new MachineAxis('C', 500.0) };
-        talk.Session.Document.Take("OPEN", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfile.Default with { Axes = axes } } });
+        talk.Session.Document.Commit("OPEN", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfile.Default with { Axes = axes } } });
         await StartAsync(talk, await AddressAsync(controller), ["DPC=7000"]);
         var before = controller.Record.Snapshot().Count;
 
@@ -269,9 +269,9 @@ public class CommissionCommandTests
     [InlineData(true)]
     public async Task A_move_or_an_F_beyond_the_travel_of_the_profile_is_refused_in_millimetres_on_a_homed_machine_too(bool isHomed)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var x = new MachineAxis('A', -1000.0) { Travel = new AxisTravel(-5, 1), Homing = isHomed ? new AxisHoming { By = HomingMark.Limit, Plus = true, Zero = 1.0, BackOff = 1.0 } : null };
-        talk.Session.Document.Take("OPEN", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfile.Default with { Axes = MachineAxes.Default with { X = x } } } });
+        talk.Session.Document.Commit("OPEN", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfile.Default with { Axes = MachineAxes.Default with { X = x } } } });
         await talk.TypeAsync("CNCCONNECT", "sim:");
         if (isHomed) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCHOME", "Yes"));
         Assert.Equal("0.0000", await AskAsync(talk, "MG _RPA"));
@@ -285,13 +285,13 @@ public class CommissionCommandTests
         Assert.Equal("4000.0000 0.0000", await AskAsync(talk, "MG _RPA,_RPB"));
     }
 
-    private static Task<CommandTalk> ConnectedAsync(params string[] lines) => ConnectedAsync("sim:", lines);
+    private static Task<CommandTestSession> ConnectedAsync(params string[] lines) => ConnectedAsync("sim:", lines);
 
-    private static async Task<CommandTalk> ConnectedAsync(SimulatedController controller, params string[] lines) => await ConnectedAsync(await AddressAsync(controller), lines);
+    private static async Task<CommandTestSession> ConnectedAsync(SimulatedController controller, params string[] lines) => await ConnectedAsync(await AddressAsync(controller), lines);
 
-    private static async Task<CommandTalk> ConnectedAsync(string address, string[] lines)
+    private static async Task<CommandTestSession> ConnectedAsync(string address, string[] lines)
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         await StartAsync(talk, address, lines);
         return talk;
     }
@@ -303,15 +303,15 @@ public class CommissionCommandTests
         return FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}?clock={clock.Port}");
     }
 
-    private static async Task StartAsync(CommandTalk talk, string address, string[] lines)
+    private static async Task StartAsync(CommandTestSession talk, string address, string[] lines)
     {
         await talk.TypeAsync("CNCCONNECT", address);
         foreach (var line in lines) await talk.TypeAsync("CNCTERMINAL", line);
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCCOMMISSION"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCCOMMISSION"));
     }
 
-    private static Task<string> FingerprintAsync(CommandTalk talk) => AskAsync(talk, "MG _MOA,_MOB,_OP0,_CN0,_CN1,_MTA,_MTB,_CEA,_CEB,_SPA,_ACA");
+    private static Task<string> FingerprintAsync(CommandTestSession talk) => AskAsync(talk, "MG _MOA,_MOB,_OP0,_CN0,_CN1,_MTA,_MTB,_CEA,_CEB,_SPA,_ACA");
 
     /// <summary>Reply of the controller to a line.</summary>
-    private static async Task<string> AskAsync(CommandTalk talk, string line) => Assert.Single(await talk.Session.Machine.Connection.Terminal.TypeAsync(line, CancellationToken.None)).Text;
+    private static async Task<string> AskAsync(CommandTestSession talk, string line) => Assert.Single(await talk.Session.Machine.Connection.Terminal.TypeAsync(line, CancellationToken.None)).Text;
 }

@@ -19,7 +19,7 @@ public class CurveAreaTests
     [InlineData("E3", 8.0 / 3.0)]
     public async Task An_ellipse_a_half_of_one_and_a_parabola_closed_by_its_chord(string handle, double area)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await File.WriteAllTextAsync(talk.PathOf("curves.dxf"), "0\nSECTION\n2\nENTITIES\n" + Ellipse + HalfEllipse + Parabola + "0\nENDSEC\n0\nEOF\n");
         await talk.TypeAsync("OPEN", talk.PathOf("curves.dxf"), "LUPREC", "8", "AREA", "O", "H", handle, "");
         var line = talk.Said.Split('\n').Single(text => text.StartsWith("Area = ", StringComparison.Ordinal));
@@ -30,7 +30,7 @@ public class CurveAreaTests
     [Fact]
     public async Task A_line_for_the_controller_is_sent_as_the_terminal_sends_it()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL"));
         await talk.TypeAsync("CNCCONNECT", "sim:");
 

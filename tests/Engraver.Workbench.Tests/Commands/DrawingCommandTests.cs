@@ -11,10 +11,10 @@ public class DrawingCommandTests
     [Fact]
     public async Task Open_reads_a_drawing_and_undo_brings_back_the_one_before()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"));
         var first = talk.State;
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "U");
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"), "U");
 
         Assert.Same(first, talk.State);
         await talk.TypeAsync("U");
@@ -25,12 +25,12 @@ public class DrawingCommandTests
     [Fact]
     public async Task A_file_that_is_no_drawing_is_not_opened_and_the_old_one_stays()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State;
         await File.WriteAllTextAsync(talk.PathOf("text.dxf"), "hello");
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "text.dxf")).Why);
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "nowhere.dxf")).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "text.dxf")).Reason);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "nowhere.dxf")).Reason);
         Assert.Same(before, talk.State);
     }
 
@@ -39,9 +39,9 @@ public class DrawingCommandTests
     {
         foreach (var name in new[] { "MOVE", "ERASE", "ROTATE", "SCALE", "MIRROR", "REVERSE", "LIST", "SELECT", "PROPERTIES", "LAYER", "CHECK", "TABLE", "ENTER", "AUTOSEQUENCE", "DISCONTINUITIES", "POST", "PLOT", "CNCSIM", "CLOSE", "TOOLSTART" })
         {
-            await using var talk = new CommandTalk();
+            await using var talk = new CommandTestSession();
 
-            Assert.Contains("No drawing is open", Assert.IsType<InputResult.Failed>(await talk.TypeAsync(name)).Sentence, StringComparison.Ordinal);
+            Assert.Contains("No drawing is open", Assert.IsType<InputResult.Failed>(await talk.TypeAsync(name)).Message, StringComparison.Ordinal);
         }
     }
 
@@ -61,7 +61,7 @@ public class DrawingCommandTests
     [InlineData("L|ALL|U", 1)]
     public async Task Objects_are_selected_as_in_a_CAD_program(string inputs, int count)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var result = await talk.TypeAsync(["SELECT", .. inputs.Split('|'), ""]);
 
         Assert.Equal(count, talk.State.Selection.Count);
@@ -71,7 +71,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Selecting_tells_found_duplicate_and_total()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SELECT", "L", "ALL", "");
 
         Assert.Contains("4 found (1 duplicate), 4 total", talk.Said, StringComparison.Ordinal);
@@ -80,7 +80,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task What_is_selected_before_the_command_is_taken_and_Previous_takes_it_again()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SELECT", "H", "A1", "", "MOVE", "0,0", "0,7");
         Assert.Equal(7, StartOf(talk, 0).Y);
         Assert.Empty(talk.State.Selection);
@@ -93,7 +93,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Base_point_alone_is_the_displacement()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("M", "ALL", "", "2,3", "");
 
         Assert.Equal(new Point2D(2, 3), StartOf(talk, 0));
@@ -102,7 +102,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Rotating_by_reference_turns_the_reference_to_the_new_angle()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("RO", "ALL", "", "0,0", "R", "30", "120");
 
         Assert.Equal(new Point2D(0, 10), talk.State.Drawing!.Parts[0].InPlan().End);
@@ -111,7 +111,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Scaling_a_copy_leaves_the_source()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SC", "H", "A3", "", "20,5", "C", "2");
 
         Assert.Equal((5, 3.0, 6.0), (talk.State.Drawing!.Entities.Count, talk.State.Drawing.Parts[2].D, talk.State.Drawing.Parts[talk.State.Drawing.Parts.Count - 1].D));
@@ -120,7 +120,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Mirroring_keeps_the_source_unless_told_otherwise()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("MI", "H", "A2", "", "0,0", "0,1", "");
         Assert.Equal(5, talk.State.Drawing!.Entities.Count);
         await talk.TypeAsync("U", "MI", "H", "A2", "", "0,0", "0,1", "Yes");
@@ -131,7 +131,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task A_mirror_line_of_one_point_and_a_move_out_of_range_change_nothing()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State;
 
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("MI", "ALL", "", "1,1", "1,1"));
@@ -142,9 +142,9 @@ public class DrawingCommandTests
     [Fact]
     public async Task Erasing_the_entering_entity_frees_the_order()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("ENTER", "20,8");
-        Assert.Equal(new EnteringPlace.ByHandle("A3"), talk.State.Settings.Enter);
+        Assert.Equal(new EntryPoint.ByHandle("A3"), talk.State.Settings.Enter);
         await talk.TypeAsync("ERASE", "H", "A3", "");
 
         Assert.Null(talk.State.Settings.Enter);
@@ -155,14 +155,14 @@ public class DrawingCommandTests
     [Fact]
     public async Task A_layer_that_is_switched_off_is_neither_cut_nor_selected()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("nameplate.dxf"), "SELECT", "ALL", "");
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("nameplate.dxf"), "SELECT", "ALL", "");
         var all = talk.State.Selection.Count;
         await talk.Session.CancelAsync();
         await talk.TypeAsync("LAYER", "OFF", "rahmen", "", "SELECT", "ALL", "");
 
         Assert.True(talk.State.Selection.Count < all);
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "OFF", "frame"));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("LAYER", "OFF", "frame"));
         await talk.Session.CancelAsync();
         await talk.TypeAsync("U");
         Assert.All(talk.State.Drawing!.Layers.Where(layer => layer.Name == "Rahmen"), layer => Assert.True(layer.On));
@@ -175,8 +175,8 @@ public class DrawingCommandTests
     [InlineData("255, 128,0", null, 0xFF8000u)]
     public async Task A_layer_takes_a_colour_and_undo_takes_it_back(string typed, int? index, uint? rgb)
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         var before = talk.State.Drawing!.Layers.ToArray();
         await talk.TypeAsync("LAYER", "Color", typed, "VENTS", "?", "");
 
@@ -196,15 +196,15 @@ public class DrawingCommandTests
     [InlineData("mauve")]
     public async Task What_is_no_colour_is_said_to_be_none(string typed)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
 
-        Assert.Contains("is not a colour", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is not a colour", Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("LAYER", "C", typed)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public async Task List_and_properties_tell_what_is_there()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("LIST", "H", "A2", "", "SELECT", "ALL", "", "PR");
         await talk.Session.CancelAsync();
         await talk.TypeAsync("PROPERTIES");
@@ -217,7 +217,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task A_setting_is_typed_by_its_name_and_undone_like_everything_else()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("CNCFEED");
         Assert.Equal("Enter new value for CNCFEED <1200>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("600", "CNCVA");
@@ -231,8 +231,8 @@ public class DrawingCommandTests
     [Fact]
     public async Task Points_are_drawing_units_and_the_stages_get_millimetres()
     {
-        await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("CNCUNITS", "1", "OPEN", CommandTalk.Sample("paper-001.dxf"), "TOOLSTART", "2,1");
+        await using var talk = CommandTestSession.WithDrawing();
+        await talk.TypeAsync("CNCUNITS", "1", "OPEN", CommandTestSession.Sample("paper-001.dxf"), "TOOLSTART", "2,1");
 
         Assert.Equal(new Point2D(50.8, 25.4), talk.State.Settings.Start);
         await talk.TypeAsync("TOOLSTART");
@@ -242,7 +242,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Undo_takes_a_number_of_steps()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State;
         await talk.TypeAsync("M", "ALL", "", "1,0", "", "M", "P", "", "1,0", "", "UNDO", "2");
 
@@ -255,7 +255,7 @@ public class DrawingCommandTests
     [Fact]
     public async Task Help_lists_every_command_and_explains_one()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("HELP", "", "HELP", "move");
 
         Assert.All(talk.Session.Catalog.All, info => Assert.Contains($"  {info.Name} ", talk.Said, StringComparison.Ordinal));
@@ -263,5 +263,5 @@ public class DrawingCommandTests
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HELP", "fly"));
     }
 
-    private static Point2D StartOf(CommandTalk talk, int entity) => DrawingPick.Segments(talk.State.Drawing!, entity).First().Start;
+    private static Point2D StartOf(CommandTestSession talk, int entity) => DrawingPick.Segments(talk.State.Drawing!, entity).First().Start;
 }

@@ -49,12 +49,12 @@ public class EnteringEntityTests
         Assert.Contains("The entering entity A2 was removed. The first stroke is chosen automatically.", talk.Said, StringComparison.Ordinal);
     }
 
-    private static CommandTalk Talk(DrawingBuilder drawing)
+    private static CommandTestSession Talk(DrawingBuilder drawing)
     {
-        var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing.Build() });
+        var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing.Build() });
         return talk;
     }
 
-    private static string? Entered(CommandTalk talk) => (talk.State.Settings.Enter as EnteringPlace.ByHandle)?.Handle;
+    private static string? Entered(CommandTestSession talk) => (talk.State.Settings.Enter as EntryPoint.ByHandle)?.Handle;
 }

@@ -13,10 +13,10 @@ public class FinishCommandTests
     [InlineData("Park", -8.0, 3.0)]
     public async Task The_machine_ends_where_the_setting_says(string place, double x, double y)
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
         var state = talk.Session.Document.Current;
-        talk.Session.Document.Take("PROFILE", state with { Settings = state.Settings with { Machine = MachineProfile.Default with { ParkX = -8.0, ParkY = 3.0 } } });
+        talk.Session.Document.Commit("PROFILE", state with { Settings = state.Settings with { Machine = MachineProfile.Default with { ParkX = -8.0, ParkY = 3.0 } } });
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCFINISH", place));
         await talk.TypeAsync("CNCARM", "Stream", "CNCRUN");
@@ -32,10 +32,10 @@ public class FinishCommandTests
     [Fact]
     public async Task A_machine_without_a_park_position_does_not_park()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"));
 
-        Assert.Contains("parkX", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFINISH", "Park")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("parkX", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFINISH", "Park")).Message, StringComparison.Ordinal);
         Assert.Equal(FinishPlace.Origin, talk.Session.Document.Current.Settings.Finish);
     }
 }

@@ -171,10 +171,10 @@ public sealed class GoToCommandTests : IAsyncDisposable
         var moving = TypeAsync(session, "CNCGOTO", "100,0");
         await SeenAsync(session.Machine, status => status is { State: MachineState.Moving, MachinePosition.X: > 5 });
 
-        foreach (var meanwhile in (string[])["CNCGOTO", "CNCZERO", "CNCORIGIN"]) Assert.IsType<InputResult.NotUnderstood>(await session.EnterAsync(meanwhile, CancellationToken.None));
+        foreach (var meanwhile in (string[])["CNCGOTO", "CNCZERO", "CNCORIGIN"]) Assert.IsType<InputResult.NotAccepted>(await session.EnterAsync(meanwhile, CancellationToken.None));
         Assert.True(session.Machine.Controls.Stop());
 
-        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Reason);
         Assert.InRange(At(session).X, 5.0, 99.0);
         Assert.Equal((true, 0), (_controller.Status.IsIdle, (int)_controller.Status.Outputs));
     }
@@ -189,7 +189,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
 
         _controller.DropConnections();
 
-        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Reason);
         await SeenAsync(session.Machine, status => status.State == MachineState.NoOrigin); // The polling connection, whose links were cut too, is reopened.
         Assert.InRange(At(session).X, 5.0, 499.0);
         Assert.Equal(0, (int)_controller.Status.Outputs);
@@ -211,8 +211,8 @@ public sealed class GoToCommandTests : IAsyncDisposable
     private CommandSession NewSession(bool desktop = false)
     {
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, RunNeedsArming = desktop }, CommandCatalog.Built());
-        session.Said += (_, message) => _said.Add(message.Text);
-        session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
+        session.MessageWritten += (_, message) => _said.Add(message.Text);
+        session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
         return session;
     }
 
@@ -243,7 +243,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         return result;
     }
 
-    private static async Task<string> FailedAsync(CommandSession session, params string[] inputs) => Assert.IsType<InputResult.Failed>(await TypeAsync(session, inputs)).Sentence;
+    private static async Task<string> FailedAsync(CommandSession session, params string[] inputs) => Assert.IsType<InputResult.Failed>(await TypeAsync(session, inputs)).Message;
 
     private async Task SeenAsync(MachineSession machine, Func<MachineStatus, bool> wanted)
     {

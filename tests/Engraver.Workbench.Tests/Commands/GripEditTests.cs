@@ -82,8 +82,8 @@ public class GripEditTests
     [Fact]
     public async Task Grips_in_one_place_are_dragged_together()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 10, 5).Build() });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 10, 5).Build() });
         talk.Session.Document.Select([0, 1], []);
         await talk.TypeAsync("GRIPEDIT", "10,0", "8,-2");
 
@@ -132,7 +132,7 @@ public class GripEditTests
 
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT", "3,3"));
         await talk.Session.CancelAsync();
-        Assert.Contains("Select 1 to", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Select 1 to", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT")).Message, StringComparison.Ordinal);
     }
 
     /// <summary>Esc, a base point elsewhere, and the ghost that shows what a click would give.</summary>
@@ -141,8 +141,8 @@ public class GripEditTests
     {
         await using var talk = await SelectedAsync("A1");
         await talk.TypeAsync("GRIPEDIT", "10,0");
-        Assert.Equal([Segment.FromLine(new Point2D(0, 0), new Point2D(7, 7))], talk.Session.Prompt.Aim!.Ghost!(new Point2D(7, 7)));
-        Assert.Equal([], talk.Session.Prompt.Aim!.Ghost!(new Point2D(0, 0)));
+        Assert.Equal([Segment.FromLine(new Point2D(0, 0), new Point2D(7, 7))], talk.Session.Prompt.PointRequest!.Ghost!(new Point2D(7, 7)));
+        Assert.Equal([], talk.Session.Prompt.PointRequest!.Ghost!(new Point2D(0, 0)));
         await talk.Session.CancelAsync();
         Assert.Equal((new Point2D(0, 0), new Point2D(10, 0)), Ends(talk, 0));
 
@@ -155,10 +155,10 @@ public class GripEditTests
     [Fact]
     public async Task An_ellipse_takes_another_axis_and_a_spline_another_end()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var ellipse = new EllipseArc(default, new Vector3D(10, 0, 0), new Vector3D(0, 5, 0), Angle.Zero, Angle.FullTurn).ToCurve();
         var spline = new RationalCurve(SegmentKind.Spline, [new BezierSpan([0, 20, 0, 1, 1, 22, 0, 1, 3, 22, 0, 1, 4, 20, 0, 1])]);
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Free(ellipse).Free(spline).Build() });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Free(ellipse).Free(spline).Build() });
         talk.Session.Document.Select([0, 1], []);
         await talk.TypeAsync("GRIPEDIT", "0,5", "0,8", "GRIPEDIT", "4,20", "6,21");
 
@@ -167,16 +167,16 @@ public class GripEditTests
         Assert.Equal((new Point2D(0, 20), new Point2D(6, 21)), (bent.Start, bent.End));
     }
 
-    private static async Task<CommandTalk> SelectedAsync(string handle)
+    private static async Task<CommandTestSession> SelectedAsync(string handle)
     {
-        var talk = CommandTalk.WithDrawing();
+        var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SELECT", "H", handle, "");
         return talk;
     }
 
-    private static Segment Only(CommandTalk talk, int entity) => DrawingPick.Segments(talk.State.Drawing!, entity).Single();
+    private static Segment Only(CommandTestSession talk, int entity) => DrawingPick.Segments(talk.State.Drawing!, entity).Single();
 
-    private static (Point2D Start, Point2D End) Ends(CommandTalk talk, int entity) => (Only(talk, entity).Start, Only(talk, entity).End);
+    private static (Point2D Start, Point2D End) Ends(CommandTestSession talk, int entity) => (Only(talk, entity).Start, Only(talk, entity).End);
 
     private static string Typed(Point2D place) => FormattableString.Invariant($"{place.X:R},{place.Y:R}");
 }

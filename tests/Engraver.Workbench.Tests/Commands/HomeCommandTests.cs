@@ -80,7 +80,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
 
         await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes with { X = Profile.Axes.X with { Travel = null, Homing = null }, Y = Profile.Axes.Y with { Travel = null, Homing = null } } }))
         {
-            Assert.Contains("homed with another machine profile", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCZERO", "X", "Yes")).Sentence, StringComparison.Ordinal);
+            Assert.Contains("homed with another machine profile", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCZERO", "X", "Yes")).Message, StringComparison.Ordinal);
         }
 
         await using (var session = await ConnectedAsync())
@@ -107,9 +107,9 @@ public sealed class HomeCommandTests : IAsyncDisposable
 
         var failed = Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCHOME", "Yes"));
 
-        Assert.Contains("was not homed within", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains("was not homed within", failed.Message, StringComparison.Ordinal);
         Assert.Equal(MachineState.NotHomed, session.Machine.Status.State);
-        Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Message, StringComparison.Ordinal);
         session.Machine.Profile = Profile;
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCHOME", "Yes"));
         Assert.Equal(38000, session.Machine.Connection.Lease!.Memory.ActiveOrigin!.Y);
@@ -134,7 +134,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
     {
         await using var session = await ConnectedAsync();
 
-        Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Message, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "-5,0")); // Outside the travel if it were homed here.
         Assert.Equal(-5.0, At(session).X);
     }
@@ -145,7 +145,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync(MachineProfile.Default);
 
         Assert.Null(session.Machine.Status.IsHomed);
-        Assert.Contains("homing", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCHOME")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("homing", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCHOME")).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -199,9 +199,9 @@ public sealed class HomeCommandTests : IAsyncDisposable
     private CommandSession NewSession(MachineProfile profile)
     {
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, CommandCatalog.Built());
-        session.Said += (_, message) => _said.Add(message.Text);
+        session.MessageWritten += (_, message) => _said.Add(message.Text);
         var state = new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() };
-        session.Document.Take("OPEN", state with { Settings = state.Settings with { Machine = profile } });
+        session.Document.Commit("OPEN", state with { Settings = state.Settings with { Machine = profile } });
         return session;
     }
 

@@ -34,7 +34,7 @@ public sealed class JogCommandTests : IDisposable
 
         await TypeAsync(session, "CNCJOG", "X+");
         var asked = await session.EnterAsync("Continuous", CancellationToken.None);
-        Assert.IsType<InputResult.Asking>(asked);
+        Assert.IsType<InputResult.AwaitingInput>(asked);
         using var alive = new FrontEnd(session.Machine);
         await StandsAtAsync(session, 30.0);
         Assert.IsType<InputResult.Done>(await TypeAsync(session, ""));
@@ -51,7 +51,7 @@ public sealed class JogCommandTests : IDisposable
 
         var failed = Assert.IsType<InputResult.Failed>(await TypeAsync(session, command, place));
 
-        Assert.Contains("its travel is", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains("its travel is", failed.Message, StringComparison.Ordinal);
         Assert.Equal((0.0, 0.0), At(session));
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,-20"));
     }
@@ -71,14 +71,14 @@ public sealed class JogCommandTests : IDisposable
     public async Task What_cannot_jog_is_refused_with_what_to_do()
     {
         await using var session = NewSession();
-        Assert.Contains("CNCCONNECT", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCJOG")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("CNCCONNECT", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCJOG")).Message, StringComparison.Ordinal);
         await TypeAsync(session, "CNCCONNECT", "sim:?speed=max");
-        Assert.IsType<InputResult.NotUnderstood>(await TypeAsync(session, "CNCJOG", "Q+"));
+        Assert.IsType<InputResult.NotAccepted>(await TypeAsync(session, "CNCJOG", "Q+"));
         await TypeAsync(session, "0,0");
         await TypeAsync(session, "CNCMOTORS", "OFF");
-        Assert.Contains("CNCMOTORS ON", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCJOG", "X+", "Continuous")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("CNCMOTORS ON", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCJOG", "X+", "Continuous")).Message, StringComparison.Ordinal);
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "hold.scr"), "CNCMOTORS ON\nCNCJOG X+ Continuous\n");
-        Assert.Contains("A script cannot jog continuously", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "SCRIPT", "hold.scr")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("A script cannot jog continuously", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "SCRIPT", "hold.scr")).Message, StringComparison.Ordinal);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);
@@ -111,9 +111,9 @@ public sealed class JogCommandTests : IDisposable
     private CommandSession NewSession(MachineProfile? profile = null)
     {
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, CommandCatalog.Built());
-        session.Said += (_, message) => _said.Add(message.Text);
+        session.MessageWritten += (_, message) => _said.Add(message.Text);
         var state = new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() };
-        session.Document.Take("OPEN", profile is null ? state : state with { Settings = state.Settings with { Machine = profile } });
+        session.Document.Commit("OPEN", profile is null ? state : state with { Settings = state.Settings with { Machine = profile } });
         return session;
     }
 

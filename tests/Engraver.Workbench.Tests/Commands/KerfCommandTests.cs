@@ -12,7 +12,7 @@ public class KerfCommandTests
     [Fact]
     public async Task Side_and_diameter_are_kept_undone_and_switched_off()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("KERF", "N", "3.5");
         Assert.Equal((KerfSide.Nesting, 3.5), (talk.State.Settings.Kerf, talk.State.Settings.ToolDiameterMm));
         await talk.TypeAsync("KERF", "OFF");
@@ -29,7 +29,7 @@ public class KerfCommandTests
     [Fact]
     public async Task The_path_of_the_tool_is_seen_before_it_is_taken()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("KERF", "Outside");
         Assert.Null(talk.Session.Prompt.Preview); // no diameter yet
         await talk.TypeAsync("Preview", "2");
@@ -46,8 +46,8 @@ public class KerfCommandTests
     [Fact]
     public async Task AUTOSEQUENCE_TABLE_and_EXPORT_show_the_compensated_path_and_Drawn_what_is_drawn()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(20, 5, 3).Build() });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(20, 5, 3).Build() });
         await talk.TypeAsync("KERF", "Outside", "2", "AUTOSEQUENCE", "TABLE", "S", "Csv", "cut.csv", "TABLE", "D", "Csv", "drawn.csv", "EXPORT", "out.csv", "EXPORT", "cl.dxf");
         var (cut, drawn) = (await File.ReadAllTextAsync(talk.PathOf("cut.csv")), await File.ReadAllTextAsync(talk.PathOf("drawn.csv")));
 

@@ -80,7 +80,7 @@ public sealed class LockedLayerTests
     [Fact]
     public async Task Texts_and_points_of_a_locked_layer_stay()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var entities = new (int, object)[] { (0, "LINE"), (5, "A1"), (8, "0"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0), (0, "TEXT"), (8, "FIXED"), (10, 2.0), (20, 1.0), (40, 2.0), (1, "stays"), (0, "POINT"), (8, "FIXED"), (10, 3.0), (20, 2.0) };
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), new DxfText().Header("AC1015", 4).Section("TABLES", s_layers).Section("ENTITIES", entities).End().ToAscii());
         await talk.TypeAsync("OPEN", "in.dxf", "MOVE", "ALL", "", "0,0", "5,5");
@@ -109,16 +109,16 @@ public sealed class LockedLayerTests
         Assert.Equal(2, talk.State.Drawing!.Entities.Count);
     }
 
-    private static async Task<CommandTalk> OpenAsync()
+    private static async Task<CommandTestSession> OpenAsync()
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), new DxfText().Header("AC1015", 4).Section("TABLES", s_layers).Section("ENTITIES", s_entities).End().ToAscii());
         await talk.TypeAsync("OPEN", "in.dxf");
         return talk;
     }
 
     /// <summary>Ends and layers of the locked objects.</summary>
-    private static List<string> Locked(CommandTalk talk)
+    private static List<string> Locked(CommandTestSession talk)
     {
         var drawing = talk.State.Drawing!;
         return [.. from index in Enumerable.Range(0, drawing.Entities.Count)

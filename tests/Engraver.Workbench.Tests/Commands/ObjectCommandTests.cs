@@ -11,7 +11,7 @@ public class ObjectCommandTests
     [Fact]
     public async Task Area_of_points_of_a_circle_of_a_square_and_of_an_open_arc()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("AREA", "0,0", "4,0", "4,3", "", "AREA", "O", "H", "A3", "H", "A4", "", "AREA", "", "H", "A2", "");
         var lines = talk.Said.Split('\n').Where(line => line.StartsWith("Area", StringComparison.Ordinal)).ToArray();
 
@@ -25,7 +25,7 @@ public class ObjectCommandTests
     [Fact]
     public async Task A_polyline_is_exploded_and_joined_again()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = Outline(talk.State.Drawing!, 3);
         await talk.TypeAsync("EXPLODE", "H", "A4", "");
         Assert.Equal((7, 4), (talk.State.Drawing!.Entities.Count, talk.State.Previous.Count));
@@ -43,9 +43,9 @@ public class ObjectCommandTests
     [Fact]
     public async Task Join_turns_what_runs_backwards_and_leaves_a_branch_apart()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(20, 5, 10, 0).Arc(20, 10, 5, 270, 360).Line(100, 0, 110, 0).Line(110, 0, 120, 0).Line(110, 0, 110, 9).Build();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
         await talk.TypeAsync("JOIN", "ALL", "");
         var joined = talk.State.Previous.Select(entity => Outline(talk.State.Drawing!, entity)).ToList();
 
@@ -58,9 +58,9 @@ public class ObjectCommandTests
     [Fact]
     public async Task Overkill_erases_what_was_drawn_twice_in_either_direction_and_a_part_is_no_whole()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 0, 0).Square(0, 0, 10).Circle(5, 5, 2).Circle(5, 5, 2).Build();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
         await talk.TypeAsync("OVERKILL", "ALL", "", "");
 
         Assert.Equal(["A1", "A3", "A4"], Enumerable.Range(0, talk.State.Drawing!.Entities.Count).Select(entity => talk.State.Drawing.SourceOf(entity).Handle));
@@ -70,7 +70,7 @@ public class ObjectCommandTests
     [Fact]
     public async Task Arrays_copy_in_rows_and_around_a_point()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("ARRAY", "H", "A1", "", "R", "2", "3", "100", "50");
         Assert.Equal(9, talk.State.Drawing!.Entities.Count);
         Assert.Equal(new Point2D(100, 100), Outline(talk.State.Drawing, 8)[0].Start);
@@ -84,7 +84,7 @@ public class ObjectCommandTests
     [Fact]
     public async Task The_origin_is_put_where_it_is_wanted()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("ORIGIN", "L");
         var box = talk.Session.View.ExtentsOf(talk.State.Drawing!);
         Assert.Equal((0.0, 0.0), (box.MinX, box.MinY));
@@ -95,9 +95,9 @@ public class ObjectCommandTests
     [Fact]
     public async Task What_is_hidden_is_neither_picked_nor_cut_and_comes_back_and_nothing_else_does()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(0, 5, 10, 5).Square(20, 0, 5).Line(0, 9, 10, 9).Hidden().Line(0, 20, 10, 20).Build();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
         await talk.TypeAsync("HIDEOBJECTS", "H", "A2", "H", "A4", "");
         Assert.Equal(2, DrawingPick.Visible(talk.State.Drawing!).Count());
         Assert.Equal(5, JobPreparation.Analyse(talk.State.Drawing!, talk.State.Settings).Count);

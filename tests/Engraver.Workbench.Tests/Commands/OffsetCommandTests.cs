@@ -11,7 +11,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task A_line_goes_to_the_side_that_is_pointed_at()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "2", "5,0", "3,7", "5,0", "3,-7", "");
         var drawing = talk.State.Drawing!;
 
@@ -24,7 +24,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task A_circle_and_a_square_go_out_and_in()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("O", "1", "20,8", "20,5", "20,8", "20,20", "34,0", "34,-5", "34,0", "34,4", "");
         var drawing = talk.State.Drawing!;
 
@@ -35,7 +35,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task Through_a_point()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "T", "5,0", "3,1.25", "");
 
         Assert.Equal(("0,1.25", "10,1.25"), Ends(talk.State.Drawing!, 4));
@@ -44,7 +44,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task The_distance_is_shown_by_two_points_and_kept()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "0,0", "3,4", "5,0", "5,9", "", "OFFSET", "", "5,0", "5,-9", "");
 
         Assert.Equal([("0,5", "10,5"), ("0,-5", "10,-5")], new[] { Ends(talk.State.Drawing!, 4), Ends(talk.State.Drawing!, 5) });
@@ -53,14 +53,14 @@ public class OffsetCommandTests
     [Fact]
     public async Task The_source_is_erased_and_another_layer_taken_when_asked_for()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var layer = talk.State.Drawing!.Layers[^1].Name;
         await talk.TypeAsync("OFFSET", "E", "Y", "L", layer, "2", "5,0", "3,7", "");
         var drawing = talk.State.Drawing!;
 
         Assert.Equal((4, ("0,2", "10,2")), (drawing.Entities.Count, Ends(drawing, 3)));
         Assert.Equal(drawing.Layers.Count - 1, drawing.Entities[3].Layer);
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("OFFSET", "L", "nowhere"));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("OFFSET", "L", "nowhere"));
         await talk.TypeAsync(layer.ToLowerInvariant(), "2", "5,0", "3,-7", "");
         Assert.Equal(talk.State.Drawing!.Layers.Count - 1, talk.State.Drawing.Entities[^1].Layer);
     }
@@ -68,7 +68,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task Every_offset_undoes_inside_and_after_the_command()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "2", "5,0", "3,7", "5,0", "3,-7", "U");
         Assert.Equal(5, talk.State.Drawing!.Entities.Count);
         await talk.TypeAsync("U", "U", "", "U");
@@ -81,7 +81,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task Multiple_offsets_what_was_made_last()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "1.5", "5,0", "Multiple", "5,9", "5,9", "5,9", "", "20,8", "20,20", "");
         var drawing = talk.State.Drawing!;
 
@@ -92,7 +92,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task Undo_within_Multiple_goes_back_to_what_was_made_before()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "E", "Y", "1", "5,0", "M", "5,9", "5,9", "U", "5,-9");
         Assert.Equal((4, ("0,0", "10,0")), (talk.State.Drawing!.Entities.Count, Ends(talk.State.Drawing!, 3))); // 0, 1, 2, back to 1, down to 0
         await talk.TypeAsync("Exit");
@@ -102,7 +102,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task Through_and_Multiple_go_together()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "T", "5,0", "M", "3,1.25", "3,4", "3,100", "");
 
         Assert.Equal([("0,1.25", "10,1.25"), ("0,4", "10,4"), ("0,100", "10,100")], new[] { 4, 5, 6 }.Select(index => Ends(talk.State.Drawing!, index)));
@@ -112,7 +112,7 @@ public class OffsetCommandTests
     [Fact]
     public async Task What_is_left_of_nothing_and_a_place_on_nothing_are_told()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "3", "20,8", "20,5", "100,100", "");
 
         Assert.Contains("nothing would remain", talk.Said, StringComparison.Ordinal);
@@ -124,9 +124,9 @@ public class OffsetCommandTests
     [Fact]
     public async Task The_ghost_is_what_will_be_drawn()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OFFSET", "2", "5,0");
-        var ghost = talk.Session.Prompt.Aim!.Ghost!;
+        var ghost = talk.Session.Prompt.PointRequest!.Ghost!;
 
         Assert.Equal([Segment.FromLine(new Point2D(0, 2), new Point2D(10, 2))], ghost(new Point2D(3, 7)));
         Assert.Equal(-2.0, Assert.Single(ghost(new Point2D(3, -7))).Start.Y);
@@ -136,7 +136,7 @@ public class OffsetCommandTests
     private static (string Start, string End) Ends(Drawing drawing, int entity)
     {
         var segment = drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]);
-        var (a, b) = (PointPrompt.Show(segment.Start), PointPrompt.Show(segment.End));
+        var (a, b) = (PointPrompt.Format(segment.Start), PointPrompt.Format(segment.End));
         return segment.Start.X <= segment.End.X ? (a, b) : (b, a);
     }
 }

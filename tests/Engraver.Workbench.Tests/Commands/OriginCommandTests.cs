@@ -11,11 +11,11 @@ public class OriginCommandTests
     [InlineData("CNCORIGIN")]
     public async Task Without_a_controller_there_is_no_origin(string command)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync(command));
-        Assert.Equal(CommandFailure.Usage, failed.Why);
-        Assert.Contains("CNCCONNECT", failed.Sentence, StringComparison.Ordinal);
+        Assert.Equal(CommandFailure.Usage, failed.Reason);
+        Assert.Contains("CNCCONNECT", failed.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -98,7 +98,7 @@ public class OriginCommandTests
     {
         await using var talk = await StandingAsync("12,-4");
 
-        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Point", "1e12,0")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Point", "1e12,0")).Message, StringComparison.Ordinal);
         Assert.Empty(talk.Session.Machine.Connection.Lease!.Memory.Origins);
     }
 
@@ -108,7 +108,7 @@ public class OriginCommandTests
         await using var talk = await StandingAsync("12,-4");
         await talk.TypeAsync("CNCZERO", "All", "CNCGOTO", "20,5");
 
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "All"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCZERO", "All"));
         Assert.Contains("G54 is already set", talk.Session.Prompt.Text, StringComparison.Ordinal);
         await talk.TypeAsync("No");
         Assert.Equal((12000, -4000), Active(talk));
@@ -124,11 +124,11 @@ public class OriginCommandTests
         Assert.Null(talk.Session.Machine.Status.WorkPosition);
         Assert.Contains("Work origin G54: machine position X (not set), Y -4 mm.", talk.Said, StringComparison.Ordinal);
         var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes"));
-        Assert.Equal(CommandFailure.Refused, refused.Why);
+        Assert.Equal(CommandFailure.Refused, refused.Reason);
         Assert.Contains("The work origin G54 has no value for X.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "X"));
         Assert.Equal((12000, -4000), Active(talk));
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "Y"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCZERO", "Y"));
         await talk.TypeAsync("No");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
     }
@@ -183,12 +183,12 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCZERO", "All");
         foreach (var line in (string[])["MOA", "MTA=2"]) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTERMINAL", line));
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Reason);
         Assert.Contains("The machine position is not reliable: ", talk.Said, StringComparison.Ordinal);
         Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why); // Powered again, it may have been moved by hand.
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Reason); // Powered again, it may have been moved by hand.
         await talk.TypeAsync("CNCZERO", "All");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
     }
@@ -196,8 +196,8 @@ public class OriginCommandTests
     [Fact]
     public async Task On_a_machine_with_a_z_axis_every_sentence_of_an_origin_tells_its_height()
     {
-        await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
+        await using var talk = CommandTestSession.WithDrawing();
+        await talk.TypeAsync("CNCPROFILE", CommandTestSession.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
 
         await talk.TypeAsync("CNCZERO", "Z");
         Assert.EndsWith("Work origin G54: machine position X (not set), Y (not set), Z 6.5 mm.", talk.Said, StringComparison.Ordinal);
@@ -209,19 +209,19 @@ public class OriginCommandTests
     [Fact]
     public async Task The_height_at_which_the_tool_stands_may_be_typed_and_every_sentence_about_the_place_tells_the_height()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("CNCCONNECT", "sim:");
-        Assert.Contains("no Z axis", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height")).Sentence, StringComparison.Ordinal);
-        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
+        Assert.Contains("no Z axis", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height")).Message, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTestSession.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
         Assert.EndsWith("Machine position: 12,-4,6.5 mm.", talk.Said, StringComparison.Ordinal);
 
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCZERO", "Height", "high"));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("CNCZERO", "Height", "high"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("0.5"));
         Assert.Equal((null, null, 4800), (Active(talk).Item1, Active(talk).Item2, talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin?.Z));
         Assert.EndsWith("Z 6 mm.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Height", "-1.25", "Yes")); // it was set
         Assert.Equal(6200, talk.Session.Machine.Connection.Lease.Memory.ActiveOrigin?.Z);
-        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height", "1e9", "Yes")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height", "1e9", "Yes")).Message, StringComparison.Ordinal);
 
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCJOG", "Z-", "1.5", "CNCSTATUS", "CNCARM", "Stream");
         Assert.Contains("machine 12,-4,5 mm, work 0,0,-1.5 mm", talk.Said, StringComparison.Ordinal);
@@ -233,28 +233,28 @@ public class OriginCommandTests
     {
         await using var talk = await StandingAsync("12,-4");
 
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5")); // without a Z axis
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5")); // without a Z axis
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("10,-3"));
         Assert.Equal((10000, -3000), Active(talk));
         Assert.Equal(new Point2D(2, -1), talk.Session.Machine.Status.WorkPosition);
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCORIGIN", "Typed", "1,1"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCORIGIN", "Typed", "1,1"));
         await talk.TypeAsync("No");
         Assert.Equal((10000, -3000), Active(talk));
-        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCORIGIN", "Typed", "1e12,0")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCORIGIN", "Typed", "1e12,0")).Message, StringComparison.Ordinal);
 
-        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCORIGIN", "G56");
+        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTestSession.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCORIGIN", "G56");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5"));
         Assert.EndsWith("Work origin G56: machine position X 10 mm, Y -3 mm, Z 6.5 mm. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "11,-3", "Yes"));
         Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm. This is the active work origin.", talk.Said, StringComparison.Ordinal);
     }
 
-    private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin?.X, talk.Session.Machine.Connection.Lease.Memory.ActiveOrigin?.Y);
+    private static (long?, long?) Active(CommandTestSession talk) => (talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin?.X, talk.Session.Machine.Connection.Lease.Memory.ActiveOrigin?.Y);
 
     /// <param name="place">Where the simulated machine is moved to first; null for its zero.</param>
-    private static async Task<CommandTalk> StandingAsync(string? place)
+    private static async Task<CommandTestSession> StandingAsync(string? place)
     {
-        var talk = CommandTalk.WithDrawing();
+        var talk = CommandTestSession.WithDrawing();
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCCONNECT", "sim:"));
         if (place is not null) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", place));
         return talk;

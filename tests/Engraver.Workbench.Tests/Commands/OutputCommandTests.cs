@@ -26,7 +26,7 @@ public class OutputCommandTests
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCOUTPUT", $"{output}", to));
 
-        Assert.Contains($"Output {output} controls the tool", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains($"Output {output} controls the tool", failed.Message, StringComparison.Ordinal);
         await Assert.ThrowsAsync<InvalidOperationException>(() => talk.Session.Machine.Hand.SetOutputAsync(output, to == "ON", CancellationToken.None));
         Assert.Equal(before, talk.Session.Machine.Status.Outputs);
     }
@@ -49,12 +49,12 @@ public class OutputCommandTests
     {
         await using var talk = await ConnectedAsync(Mill);
 
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOUTPUT", "1", "ON"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCOUTPUT", "1", "ON"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("Yes"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOUTPUT", "3", "ON"));
         Assert.Equal(0b101, talk.Session.Machine.Status.Outputs);
 
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOUTPUT", "3", "OFF"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCOUTPUT", "3", "OFF"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("No"));
         Assert.Equal(0b101, talk.Session.Machine.Status.Outputs);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOUTPUT", "3", "OFF", "Yes"));
@@ -64,10 +64,10 @@ public class OutputCommandTests
         Assert.Equal(0, talk.Session.Machine.Status.Outputs);
     }
 
-    private static async Task<CommandTalk> ConnectedAsync(MachineProfile profile)
+    private static async Task<CommandTestSession> ConnectedAsync(MachineProfile profile)
     {
-        var talk = CommandTalk.WithDrawing();
-        talk.Session.Document.Take("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = profile } });
+        var talk = CommandTestSession.WithDrawing();
+        talk.Session.Document.Commit("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = profile } });
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCCONNECT", "sim:?speed=max"));
         return talk;
     }

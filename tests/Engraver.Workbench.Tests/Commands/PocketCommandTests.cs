@@ -15,7 +15,7 @@ public class PocketCommandTests
     [Fact]
     public async Task A_circle_is_cleared_on_a_layer_of_its_own_and_undone()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State.Drawing!;
         await talk.TypeAsync("POCKET", "H", "A3", "", "2", "0.5", "Contour", "0");
         var drawing = talk.State.Drawing!;
@@ -34,7 +34,7 @@ public class PocketCommandTests
     [Fact]
     public async Task Values_are_remembered_and_levels_lie_at_their_depths()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A4", "", "1", "0.7", "Zigzag", "30", "2", "1");
         Assert.Equal([-1.0, -2.0], talk.State.Previous.Select(index => talk.State.Drawing!.Parts[talk.State.Drawing.Entities[index].FirstPart].C));
         await talk.TypeAsync("U", "POCKET", "H", "A4", "", "", "", "", "", "", "");
@@ -45,7 +45,7 @@ public class PocketCommandTests
     [Fact]
     public async Task What_the_tool_does_not_fit_into_is_said_and_changes_nothing()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State.Drawing;
 
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("POCKET", "H", "A3", "", "7", "0.5", "Contour", "0"));
@@ -59,7 +59,7 @@ public class PocketCommandTests
     [Fact]
     public async Task The_passes_are_seen_before_they_are_taken()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A3", "");
         Assert.Equal(2.5, Widest(talk), 9); // The default tool of 1.
         await talk.TypeAsync("2");
@@ -83,7 +83,7 @@ public class PocketCommandTests
     [InlineData("Centre", 1.0, 2.0)]
     public async Task It_is_cleared_from_the_wall_or_from_the_centre(string from, double first, double last)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A3", "", "2", "0.5", "Contour", "From", from, "0");
         var drawn = Outline(talk.State.Drawing!, talk.State.Previous.Single());
 
@@ -94,8 +94,8 @@ public class PocketCommandTests
     [Fact]
     public async Task In_a_drawing_in_inches_the_passes_are_shown_where_they_will_be()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(1, 1, 1).Build() with { Unit = LengthUnits.FromInsUnits(1)! } });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(1, 1, 1).Build() with { Unit = LengthUnits.FromInsUnits(1)! } });
         await talk.TypeAsync("POCKET", "ALL", "", "12.7", "");
         Assert.Equal(0.75, talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(1, 1))), 9);
     }
@@ -104,8 +104,8 @@ public class PocketCommandTests
     [Fact]
     public async Task A_pocket_with_ramps_becomes_the_job_and_is_cut_by_a_mill()
     {
-        await using var talk = CommandTalk.WithDrawing();
-        talk.Session.Document.Take("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfileSource.Load(CommandTalk.Sample("machine-mill.json")), Kerf = KerfSide.Nesting, ToolDiameterMm = 2.0 } });
+        await using var talk = CommandTestSession.WithDrawing();
+        talk.Session.Document.Commit("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfileSource.Load(CommandTestSession.Sample("machine-mill.json")), Kerf = KerfSide.Nesting, ToolDiameterMm = 2.0 } });
         var before = talk.State;
         await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Entry", "Ramp", "5", "Job", "Pocket", "1", "0.5");
         var (drawing, settings) = (talk.State.Drawing!, talk.State.Settings);
@@ -130,7 +130,7 @@ public class PocketCommandTests
     [Fact]
     public async Task The_job_may_stay_the_whole_drawing_and_that_choice_is_not_taken_over()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Job");
         Assert.Contains("Everything also cuts the outlines, half a tool diameter into the wall", talk.Session.Prompt.Text, StringComparison.Ordinal);
         Assert.EndsWith("<Pocket>:", talk.Session.Prompt.Text.TrimEnd(), StringComparison.Ordinal);
@@ -146,7 +146,7 @@ public class PocketCommandTests
     [Fact]
     public async Task What_Enter_gives_never_cuts_into_the_wall()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A3", "", "2", "0.5", "", "0", "CNCCONNECT", "sim:");
         var derived = await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
         var moves = derived.Job!.Toolpath.Strokes.SelectMany(stroke => stroke.Moves).ToList();
@@ -161,14 +161,14 @@ public class PocketCommandTests
     [InlineData("8", "POC0008", 0)]
     public async Task A_way_down_without_room_is_told(string diameter, string id, int ways)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A4", "", diameter, "0.5", "Contour", "Entry", "Helix", "3", "1", "1");
 
         Assert.Contains(id, talk.Said, StringComparison.Ordinal);
         Assert.Equal(1 + ways, talk.State.Previous.Count);
     }
 
-    private static double Widest(CommandTalk talk) => talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(20, 5)));
+    private static double Widest(CommandTestSession talk) => talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(20, 5)));
 
     private static List<Segment> Outline(Drawing drawing, int index)
     {

@@ -20,8 +20,8 @@ public class PropertyTests
     [InlineData(3, "LWPOLYLINE A4 0 ByLayer Vertices=4 Length=32 Area=64 CLosed=Yes")]
     public async Task An_object_tells_what_a_person_asks(int entity, string expected)
     {
-        await using var talk = CommandTalk.WithDrawing();
-        var values = ObjectProperties.Of(talk.State.Drawing!, [entity], Figures.Usual);
+        await using var talk = CommandTestSession.WithDrawing();
+        var values = ObjectProperties.Of(talk.State.Drawing!, [entity], DisplayPrecision.Initial);
 
         Assert.Equal(expected, string.Join(' ', values.Where(value => value.Property.Name != "SourceLine").Select((value, i) => i < 4 ? value.Value : $"{value.Property.Name}={value.Value}")));
         Assert.All(values, value => Assert.NotEmpty(value.Property.Title));
@@ -32,10 +32,10 @@ public class PropertyTests
     {
         var red = new Layer("RED", On: true, Frozen: false, Plot: true);
         var drawing = new DrawingBuilder().Circle(0, 0, 5).Circle(9, 0, 5).OnLayer(red).Circle(9, 4, 5).Line(0, 0, 1, 1).Build();
-        var circles = ObjectProperties.Of(drawing, [0, 1, 2], Figures.Usual).ToDictionary(value => value.Property.Name, value => value.Value);
+        var circles = ObjectProperties.Of(drawing, [0, 1, 2], DisplayPrecision.Initial).ToDictionary(value => value.Property.Name, value => value.Value);
         Assert.Equal(("CIRCLE", "*VARIES*", "5", "*VARIES*", "*VARIES*"), (circles["Type"], circles["LAyer"], circles["Radius"], circles["CenterX"], circles["Handle"]));
 
-        var mixed = ObjectProperties.Of(drawing, [0, 1, 3], Figures.Usual).Select(value => value.Property.Name).ToList();
+        var mixed = ObjectProperties.Of(drawing, [0, 1, 3], DisplayPrecision.Initial).Select(value => value.Property.Name).ToList();
         Assert.DoesNotContain("Radius", mixed);
         Assert.Contains("Color", mixed);
     }
@@ -44,7 +44,7 @@ public class PropertyTests
     [Fact]
     public async Task An_end_of_an_elliptical_arc_cannot_be_moved_by_itself()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("ELLIPSE", "A", "-10,0", "10,0", "5", "0", "180");
         var before = talk.State.Drawing!.Entities[0];
         var segments = talk.State.Drawing!.Parts.Count;
@@ -65,7 +65,7 @@ public class PropertyTests
     [InlineData("A2", "EndAngle", "90", 1, "8.9392,4.3054 5,9")]
     public async Task A_number_is_changed_in_one_step(string handle, string property, string value, int entity, string ends)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = Ends(talk, entity);
         await talk.TypeAsync("CHPROP", "H", handle, "", property, value);
         Assert.Equal(ends, Ends(talk, entity));
@@ -82,33 +82,33 @@ public class PropertyTests
     [InlineData("PLINE|50,0|60,0|60,8|C", "Closed", "Yes", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
     public async Task A_polyline_is_closed_and_opened(string drawn, string property, string value, string expected)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync(drawn.Split('|'));
-        var before = Shape.Of(talk.State.Drawing!, 4);
+        var before = ObjectText.Of(talk.State.Drawing!, 4);
         await talk.TypeAsync("CHPROP", "L", "", property, value);
 
-        Assert.Equal(expected, Shape.Of(talk.State.Drawing!, 4));
-        Assert.Equal(expected.Contains("closed", StringComparison.Ordinal) ? "Yes" : "No", ObjectProperties.Of(talk.State.Drawing!, [4], Figures.Usual).Single(one => one.Property.Name == "CLosed").Value);
+        Assert.Equal(expected, ObjectText.Of(talk.State.Drawing!, 4));
+        Assert.Equal(expected.Contains("closed", StringComparison.Ordinal) ? "Yes" : "No", ObjectProperties.Of(talk.State.Drawing!, [4], DisplayPrecision.Initial).Single(one => one.Property.Name == "CLosed").Value);
         if (before == expected) return;
         await talk.TypeAsync("U");
-        Assert.Equal(before, Shape.Of(talk.State.Drawing!, 4));
+        Assert.Equal(before, ObjectText.Of(talk.State.Drawing!, 4));
     }
 
     [Fact]
     public async Task Only_polylines_can_be_closed()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var drawing = talk.State.Drawing!;
-        Assert.Equal([false, false, false, true], new[] { 0, 1, 2, 3 }.Select(index => ObjectProperties.Of(drawing, [index], Figures.Usual).Single(one => one.Property.Name == "CLosed").IsEditable));
-        Assert.False(ObjectProperties.Of(drawing, [3, 2], Figures.Usual).Single(one => one.Property.Name == "CLosed").IsEditable);
+        Assert.Equal([false, false, false, true], new[] { 0, 1, 2, 3 }.Select(index => ObjectProperties.Of(drawing, [index], DisplayPrecision.Initial).Single(one => one.Property.Name == "CLosed").IsEditable));
+        Assert.False(ObjectProperties.Of(drawing, [3, 2], DisplayPrecision.Initial).Single(one => one.Property.Name == "CLosed").IsEditable);
     }
 
     [Fact]
     public async Task Layer_and_colour_of_several_objects_are_changed_and_the_selection_stays()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var layer = new Layer("Cut Here", On: true, Frozen: false, Plot: true);
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Line(0, 1, 1, 1).OnLayer(layer).Line(0, 2, 1, 2).Build() });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Line(0, 1, 1, 1).OnLayer(layer).Line(0, 2, 1, 2).Build() });
         talk.Session.Document.Select([0, 1], []);
         await talk.TypeAsync("CHPROP", "LA", "cut here", "CHPROP", "C", "red");
         var entities = talk.State.Drawing!.Entities;
@@ -131,17 +131,17 @@ public class PropertyTests
     [InlineData("A4", "Closed", "maybe", "'maybe' is not valid. Nothing was changed. Enter Yes or No.")]
     public async Task A_wrong_value_is_told_and_nothing_changes(string handle, string property, string value, string told)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var before = talk.State.Drawing;
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CHPROP", "H", handle, "", property, value));
 
-        Assert.Contains(told, failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains(told, failed.Message, StringComparison.Ordinal);
         Assert.Same(before, talk.State.Drawing);
     }
 
-    private static string Ends(CommandTalk talk, int entity)
+    private static string Ends(CommandTestSession talk, int entity)
     {
         var only = DrawingPick.Segments(talk.State.Drawing!, entity).Single();
-        return $"{Figures.Usual.Place(only.Start)} {Figures.Usual.Place(only.End)}";
+        return $"{DisplayPrecision.Initial.FormatPoint(only.Start)} {DisplayPrecision.Initial.FormatPoint(only.End)}";
     }
 }

@@ -32,7 +32,7 @@ public class RandomCommandTests
 
     private static async Task<bool> HoldsAsync(string[][] edits)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var document = talk.Session.Document;
         List<string> prints = [Fingerprint.Of(document.Current)];
         var steps = document.UndoNames.Count();
@@ -63,7 +63,7 @@ public class RandomCommandTests
 
     private static async Task<bool> SurvivesAsync(string[] inputs)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         foreach (var input in inputs)
         {
             if (input == "\u001b")
@@ -75,13 +75,13 @@ public class RandomCommandTests
 
             var result = await talk.TypeAsync(input);
             var asks = talk.Session.Prompt.Command is not null;
-            if (talk.Session.IsBusy || (result is InputResult.Asking && !asks) || !IsConsistent(talk)) return false;
+            if (talk.Session.IsBusy || (result is InputResult.AwaitingInput && !asks) || !IsConsistent(talk)) return false;
         }
 
         return true;
     }
 
-    private static bool IsConsistent(CommandTalk talk)
+    private static bool IsConsistent(CommandTestSession talk)
     {
         var count = talk.State.Drawing?.Entities.Count ?? 0;
         return talk.State.Selection.Concat(talk.State.Previous).All(entity => entity >= 0 && entity < count);

@@ -130,9 +130,9 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
     private async Task<CommandSession> ConnectedAsync()
     {
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, CommandCatalog.Built());
-        session.Said += (_, message) => _said.Add(message.Text);
+        session.MessageWritten += (_, message) => _said.Add(message.Text);
         var state = new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 30, 0).Line(30, 0, 30, 20).Build() };
-        session.Document.Take("OPEN", state with { Settings = state.Settings with { Machine = Profile } });
+        session.Document.Commit("OPEN", state with { Settings = state.Settings with { Machine = Profile } });
         var port = (await _controller.ListenTcpAsync(0, _limit.Token)).Port;
         var clock = (await _controller.ListenClockAsync(_limit.Token)).Port; // A busy computer must not count as a silent host.
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}")));

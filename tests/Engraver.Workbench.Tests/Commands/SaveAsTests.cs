@@ -32,7 +32,7 @@ public class SaveAsTests
     [Fact]
     public async Task Heights_come_back_as_they_were()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", s_raised).End());
 
         Assert.Equal(8, before.Entities.Count);
@@ -48,7 +48,7 @@ public class SaveAsTests
     [InlineData("MIRROR", "ALL", "", "0,0", "1,3", "Y")]
     public async Task A_turned_or_mirrored_circle_is_a_circle(params string[] edit)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), DxfText.WithEntities((0, "CIRCLE"), (10, 5.0), (20, 0.0), (40, 2.0)).ToAscii());
         await talk.TypeAsync(["OPEN", "in.dxf", .. edit, "SAVEAS", "out.dxf"]);
         var written = await File.ReadAllTextAsync(talk.PathOf("out.dxf"));
@@ -61,7 +61,7 @@ public class SaveAsTests
     [Fact]
     public async Task A_sliver_of_an_ellipse_is_written_with_numbers()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var (before, after) = await SavedAsync(talk, DxfText.WithEntities((0, "LINE"), (10, 0.0), (20, 0.0), (11, 40.0), (21, 0.0), (0, "ELLIPSE"), (10, 423.71213738), (20, -73.35906756), (11, 41.4999959), (21, 0.01877599), (40, 0.9819277), (41, 0.0), (42, 1e-8)));
 
         Assert.DoesNotContain("NaN", await File.ReadAllTextAsync(talk.PathOf("out.dxf")), StringComparison.Ordinal);
@@ -72,7 +72,7 @@ public class SaveAsTests
     [Fact]
     public async Task Texts_come_back_as_they_were_placed()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1021", 4)
             .Section("TABLES", (0, "STYLE"), (2, "STANDARD"), (70, 0), (3, "txt"), (0, "STYLE"), (2, "NARROW"), (70, 0), (3, "simplex.shx"))
             .Section("BLOCKS", (0, "BLOCK"), (2, "B"), (10, 0.0), (20, 0.0), (0, "TEXT"), (10, 1.0), (20, 0.0), (40, 3.0), (1, "in a block"), (0, "ENDBLK"))
@@ -87,7 +87,7 @@ public class SaveAsTests
     [Fact]
     public async Task Points_come_back_as_they_were_placed()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1021", 4).Section("ENTITIES", (0, "LINE"), (10, 0.0), (20, 0.0), (11, 1.0), (21, 0.0),
             (0, "POINT"), (8, "NOTES"), (62, 3), (10, 1.5), (20, -2.0), (30, 7.0), (0, "POINT"), (60, 1), (420, 0x102030), (10, 4.0), (20, 5.0)).End());
 
@@ -101,7 +101,7 @@ public class SaveAsTests
     [Fact]
     public async Task What_a_drawing_does_not_hold_is_counted_before_the_file_is_written()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         (int, object)[] point = [(0, "POINT"), (10, 0.0), (20, 0.0)];
         await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. s_raised, .. point, .. point, (0, "DIMENSION"), (0, "HATCH"), (91, 0), (0, "BODY")]).End());
 
@@ -113,7 +113,7 @@ public class SaveAsTests
     [Fact]
     public async Task QSAVE_writes_the_file_that_was_saved_last()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", s_raised).End());
         var opened = await File.ReadAllBytesAsync(talk.PathOf("in.dxf"));
         await talk.TypeAsync("OPEN", "in.dxf", "SAVEAS", "other.dxf");
@@ -132,7 +132,7 @@ public class SaveAsTests
         await talk.Session.CancelAsync();
     }
 
-    private static async Task<(Drawing Before, Drawing After)> SavedAsync(CommandTalk talk, DxfText file)
+    private static async Task<(Drawing Before, Drawing After)> SavedAsync(CommandTestSession talk, DxfText file)
     {
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), file.ToAscii());
         await talk.TypeAsync("OPEN", "in.dxf");

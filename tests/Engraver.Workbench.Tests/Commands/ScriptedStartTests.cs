@@ -22,7 +22,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop, "CNCRUN\nYes\n");
 
-        Assert.Equal(CommandFailure.Usage, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Why);
+        Assert.Equal(CommandFailure.Usage, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Reason);
         AssertNothingMoved(session);
     }
 
@@ -40,7 +40,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop: false, "CNCMOTORS OFF\nCNCARM Stream\nCNCRUN\n");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Reason);
         AssertNothingMoved(session);
     }
 
@@ -49,7 +49,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop: true, "CNCARM Stream\nCNCRUN\n");
 
-        Assert.Contains("START", Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("START", Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Message, StringComparison.Ordinal);
         AssertNothingMoved(session);
         Assert.NotNull(session.Machine.Arming.Armed);
         Assert.IsType<InputResult.Done>(await session.EnterAsync("CNCRUN", CancellationToken.None));
@@ -64,9 +64,9 @@ public sealed class ScriptedStartTests : IAsyncDisposable
 
         var end = Assert.IsType<InputResult.Failed>(await session.EnterLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
 
-        Assert.Contains("pasted lines(2)", end.Sentence, StringComparison.Ordinal);
-        Assert.Contains("START", end.Sentence, StringComparison.Ordinal);
-        Assert.Contains(_said, text => text == end.Sentence);
+        Assert.Contains("pasted lines(2)", end.Message, StringComparison.Ordinal);
+        Assert.Contains("START", end.Message, StringComparison.Ordinal);
+        Assert.Contains(_said, text => text == end.Message);
         AssertNothingMoved(session);
         Assert.NotNull(session.Machine.Arming.Armed);
     }
@@ -92,8 +92,8 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         var clock = await _controller.ListenClockAsync(CancellationToken.None);
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "job.scr"), string.Create(CultureInfo.InvariantCulture, $"CNCCONNECT tcp://127.0.0.1:{end.Port}?clock={clock.Port}\n{script}"));
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, RunNeedsArming = desktop }, CommandCatalog.Built());
-        session.Said += (_, message) => _said.Add(message.Text);
-        session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
+        session.MessageWritten += (_, message) => _said.Add(message.Text);
+        session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
         return session;
     }
 

@@ -121,17 +121,17 @@ public class TextEditTests
         Assert.Equal([(3.0, 2.0, 9.0), (-1.0, 0.0, 0.0)], Points(talk));
     }
 
-    private static IEnumerable<(double X, double Y, double Z)> Points(CommandTalk talk) => talk.State.Drawing!.Points.Select(point => (Math.Round(point.Position.X, 9), Math.Round(point.Position.Y, 9), point.Position.Z));
+    private static IEnumerable<(double X, double Y, double Z)> Points(CommandTestSession talk) => talk.State.Drawing!.Points.Select(point => (Math.Round(point.Position.X, 9), Math.Round(point.Position.Y, 9), point.Position.Z));
 
-    private static (double X, double Y, double Z) Place(CommandTalk talk, int text)
+    private static (double X, double Y, double Z) Place(CommandTestSession talk, int text)
     {
         var place = talk.State.Drawing!.Texts[text].Position;
         return (Math.Round(place.X, 9), Math.Round(place.Y, 9), place.Z);
     }
 
-    private static async Task<CommandTalk> OpenAsync()
+    private static async Task<CommandTestSession> OpenAsync()
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), new DxfText().Header("AC1015", 4).Section("ENTITIES", s_entities).End().ToAscii());
         await talk.TypeAsync("OPEN", "in.dxf");
         Assert.Equal(2, talk.State.Drawing!.Texts.Count);

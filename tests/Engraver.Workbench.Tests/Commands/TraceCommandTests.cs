@@ -51,7 +51,7 @@ public class TraceCommandTests
         await using var talk = await AfterTwoRunsAsync();
         await talk.TypeAsync("CNCTRACE", "LIst");
         var file = talk.Said.Split('\n').Last(line => line.EndsWith(".trace.csv", StringComparison.Ordinal));
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         var before = talk.Session.Machine.Runs.Recorded;
 
         Assert.Contains("does not match gasket.dxf: it cut another drawing or other layers", Failure(await talk.TypeAsync("CNCTRACE", "File", file)), StringComparison.Ordinal);
@@ -80,12 +80,12 @@ public class TraceCommandTests
         Assert.Contains("No following error was recorded", talk.Said, StringComparison.Ordinal);
     }
 
-    private static string Failure(InputResult result) => Assert.IsType<InputResult.Failed>(result).Sentence;
+    private static string Failure(InputResult result) => Assert.IsType<InputResult.Failed>(result).Message;
 
-    private static async Task<CommandTalk> AfterTwoRunsAsync()
+    private static async Task<CommandTestSession> AfterTwoRunsAsync()
     {
-        var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"));
         for (var i = 0; i < 2; i++) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         return talk;
     }

@@ -10,7 +10,7 @@ public class ViewCommandTests
     [Fact]
     public async Task Zoom_takes_a_window_a_scale_and_every_option()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         talk.Session.View.SetAspect(1.0);
         await talk.TypeAsync("Z", "0,0", "10,4");
         Assert.Equal((new Point2D(5, 2), 10.0), (View(talk).Centre, View(talk).Height));
@@ -32,14 +32,14 @@ public class ViewCommandTests
     [Fact]
     public async Task A_zoom_inside_another_command_leaves_that_command_waiting()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("MOVE", "L", "", "0,0", "'Z", "10X");
 
         Assert.Equal("MOVE", talk.Session.Prompt.Command);
         Assert.Equal(21.0, View(talk).Height, precision: 9);
         await talk.TypeAsync("'ZOOM");
         Assert.StartsWith(">>Specify corner of window, enter a scale factor (nX) or [All/", talk.Session.Prompt.Text, StringComparison.Ordinal);
-        Assert.NotNull(talk.Session.Prompt.Aim);
+        Assert.NotNull(talk.Session.Prompt.PointRequest);
     }
 
     [Theory]
@@ -49,16 +49,16 @@ public class ViewCommandTests
     [InlineData("big")]
     public async Task A_scale_that_is_none_is_asked_for_again(string typed)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
 
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("Z", typed));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("Z", typed));
         Assert.Equal("ZOOM", talk.Session.Prompt.Command);
     }
 
     [Fact]
     public async Task Drawing_aids_are_switched_by_commands_and_by_their_variables()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("GRID", "2.5", "SNAP", "ON", "ORTHO", "ON", "OSNAP", "end,center", "THEME", "Light", "DYNAMICINPUT", "OFF");
 
         Assert.Equal((2.5, true, true, true, 5, DesktopTheme.Light, false), (View(talk).GridSpacing, View(talk).Grid, View(talk).Snap, View(talk).Ortho, View(talk).ObjectSnapModes, View(talk).Theme, View(talk).DynamicInput));
@@ -70,10 +70,10 @@ public class ViewCommandTests
     [Fact]
     public async Task A_variable_shows_its_value_and_keeps_its_limits()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("CURSORSIZE");
         Assert.Equal("Enter new value for CURSORSIZE <5>:", talk.Session.Prompt.Text);
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("101"));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("101"));
         await talk.TypeAsync("100");
 
         Assert.Equal(100.0, talk.Session.Settings.Current.Variables["CURSORSIZE"]);
@@ -85,10 +85,10 @@ public class ViewCommandTests
     [Fact]
     public async Task With_the_echo_off_only_results_are_said()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("CMDECHO", "0");
         var echoes = 0;
-        talk.Session.Said += (_, message) => echoes += message.Kind == MessageKind.Echo ? 1 : 0;
+        talk.Session.MessageWritten += (_, message) => echoes += message.Kind == MessageKind.Echo ? 1 : 0;
         await talk.TypeAsync("ID", "1,2");
         Assert.Equal(0, echoes);
         await talk.TypeAsync("CMDECHO", "1", "ID", "1,2");
@@ -109,7 +109,7 @@ public class ViewCommandTests
     [InlineData("WO", CanvasLayers.WorkOrigin)]
     public async Task Every_layer_of_meaning_has_a_switch(string typed, CanvasLayers layer)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SHOW", "All", "SHOW", typed, "OFF");
         Assert.Equal(CanvasLayers.All & ~layer, View(talk).Shown);
         await talk.TypeAsync("SHOW", typed, "");
@@ -119,7 +119,7 @@ public class ViewCommandTests
     [Fact]
     public async Task Pan_moves_by_two_points_or_by_a_displacement()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         talk.Session.View.SetCentre(new Point2D(0, 0), 10);
         await talk.TypeAsync("PAN", "1,1", "4,5");
         Assert.Equal(new Point2D(-3, -4), View(talk).Centre);
@@ -130,10 +130,10 @@ public class ViewCommandTests
     [Fact]
     public async Task A_drawing_opens_in_the_view_in_which_it_was_left()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         Assert.True(View(talk).Window.Contains(talk.Session.View.ExtentsOf(talk.State.Drawing!)));
-        await talk.TypeAsync("Z", "C", "3,4", "2", "OPEN", CommandTalk.Sample("paper-001.dxf"), "RECENT", "2");
+        await talk.TypeAsync("Z", "C", "3,4", "2", "OPEN", CommandTestSession.Sample("paper-001.dxf"), "RECENT", "2");
 
         Assert.EndsWith("gasket.dxf", talk.State.Drawing!.FileName, StringComparison.Ordinal);
         Assert.Equal((new Point2D(3, 4), 2.0), (View(talk).Centre, View(talk).Height));
@@ -143,11 +143,11 @@ public class ViewCommandTests
     [Fact]
     public async Task A_drawing_that_is_saved_under_a_name_is_among_the_recent_ones()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("NEW", "LINE", "0,0", "1,1", "", "SAVEAS", "new.dxf");
         Assert.Equal(["new.dxf"], talk.Session.Settings.Current.RecentFiles.Select(Path.GetFileName));
         Assert.True(Path.IsPathRooted(talk.Session.Settings.Current.RecentFiles[0]));
     }
 
-    private static ViewState View(CommandTalk talk) => talk.Session.View.Current;
+    private static ViewState View(CommandTestSession talk) => talk.Session.View.Current;
 }

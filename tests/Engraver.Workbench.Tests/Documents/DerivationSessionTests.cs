@@ -16,7 +16,7 @@ public sealed class DerivationSessionTests : IDisposable
 
     public DerivationSessionTests()
     {
-        _document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Circle(20, 5, 3).Build() });
+        _document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Circle(20, 5, 3).Build() });
         _derivation = new DerivationSession(_document);
     }
 
@@ -39,14 +39,14 @@ public sealed class DerivationSessionTests : IDisposable
     public async Task Nothing_is_computed_before_what_is_waited_for_has_ended_however_it_ends()
     {
         var picture = new TaskCompletionSource();
-        _derivation.Before = state => ReferenceEquals(state, _document.Current) ? picture.Task : throw new InvalidOperationException();
+        _derivation.Prerequisite = state => ReferenceEquals(state, _document.Current) ? picture.Task : throw new InvalidOperationException();
         var derived = _derivation.ForCurrentAsync(CancellationToken.None);
         Assert.Null(_derivation.Progress.Stage);
         Assert.False(derived.IsCompleted);
         picture.SetException(new TimeoutException());
 
         Assert.Equal(2, (await derived.WaitAsync(TimeSpan.FromSeconds(60))).Analysed!.Count);
-        _derivation.Before = _ => new TaskCompletionSource().Task;
+        _derivation.Prerequisite = _ => new TaskCompletionSource().Task;
         _derivation.Line = new SerialAddress("/dev/ttyS0", 9600); // Of a known job only the plan is recomputed.
         Assert.NotNull((await _derivation.ForCurrentAsync(CancellationToken.None).WaitAsync(TimeSpan.FromSeconds(60))).Plan);
     }
@@ -54,12 +54,12 @@ public sealed class DerivationSessionTests : IDisposable
     [Fact]
     public async Task What_waits_is_given_up_and_left_like_what_is_computed()
     {
-        _derivation.Before = _ => new TaskCompletionSource().Task;
+        _derivation.Prerequisite = _ => new TaskCompletionSource().Task;
         var derived = _derivation.ForCurrentAsync(CancellationToken.None);
-        Assert.True(_derivation.GiveUp());
+        Assert.True(_derivation.Cancel());
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => derived);
-        Assert.True(_derivation.IsGivenUp);
-        _derivation.Before = null;
+        Assert.True(_derivation.IsCancelled);
+        _derivation.Prerequisite = null;
         Assert.Equal(2, (await _derivation.ForCurrentAsync(CancellationToken.None)).Analysed!.Count);
     }
 
@@ -70,7 +70,7 @@ public sealed class DerivationSessionTests : IDisposable
         _document.Select([0], []);
 
         Assert.Same(first, await _derivation.ForCurrentAsync(CancellationToken.None));
-        _document.Take("X", _document.Current with { Settings = _document.Current.Settings with { MaxErrorMm = 0.01 } });
+        _document.Commit("X", _document.Current with { Settings = _document.Current.Settings with { MaxErrorMm = 0.01 } });
         Assert.False(_derivation.IsCurrent);
         Assert.NotSame(first, await _derivation.ForCurrentAsync(CancellationToken.None));
     }
@@ -103,9 +103,9 @@ public sealed class DerivationSessionTests : IDisposable
     public async Task What_is_out_of_date_before_it_is_done_is_given_up()
     {
         var drawing = Many(20_000);
-        _document.Take("OPEN", new DocumentState { Drawing = drawing });
+        _document.Commit("OPEN", new DocumentState { Drawing = drawing });
         var old = _derivation.ForCurrentAsync(CancellationToken.None);
-        _document.Take("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
+        _document.Commit("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => old);
         Assert.Single((await _derivation.ForCurrentAsync(CancellationToken.None)).Sequence!.Strokes);
@@ -115,7 +115,7 @@ public sealed class DerivationSessionTests : IDisposable
     [Fact]
     public async Task Whoever_does_not_want_to_wait_any_more_does_not()
     {
-        _document.Take("OPEN", new DocumentState { Drawing = Many(20_000) });
+        _document.Commit("OPEN", new DocumentState { Drawing = Many(20_000) });
         using var impatient = new CancellationTokenSource();
         var waiting = _derivation.ForCurrentAsync(impatient.Token);
         await impatient.CancelAsync();
@@ -127,7 +127,7 @@ public sealed class DerivationSessionTests : IDisposable
     [Fact]
     public async Task A_setting_that_does_not_fit_is_a_sentence_and_no_exception()
     {
-        _document.Take("X", _document.Current with { Settings = new DrawingSettings { Layers = ["NOPE"] } });
+        _document.Commit("X", _document.Current with { Settings = new DrawingSettings { Layers = ["NOPE"] } });
 
         var derived = await _derivation.ForCurrentAsync(CancellationToken.None);
 
@@ -138,7 +138,7 @@ public sealed class DerivationSessionTests : IDisposable
     [Fact]
     public async Task With_no_drawing_nothing_follows()
     {
-        _document.Take("CLOSE", DocumentState.Nothing);
+        _document.Commit("CLOSE", DocumentState.Nothing);
 
         Assert.Null((await _derivation.ForCurrentAsync(CancellationToken.None)).Job);
     }
@@ -148,8 +148,8 @@ public sealed class DerivationSessionTests : IDisposable
     {
         var derived = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         _derivation.Changed += (_, _) => { if (_derivation.Current.Analysed?.Count == 1) derived.TrySetResult(); };
-        _derivation.KeepsUp = true;
-        _document.Take("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
+        _derivation.IsAutomatic = true;
+        _document.Commit("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         await derived.Task.WaitAsync(limit.Token);
 

@@ -21,7 +21,7 @@ public class DocumentSessionTests
                 {
                     states.RemoveRange(at + 1, states.Count - at - 1);
                     states.Add(session.Current with { Settings = new DrawingSettings { JoinToleranceMm = states.Count } });
-                    session.Take("STEP", states[++at]);
+                    session.Commit("STEP", states[++at]);
                 }
                 else if (step == 0 && session.Redo() is not null) at++;
                 else if (step < 0 && session.Undo() is not null) at--;
@@ -38,14 +38,14 @@ public class DocumentSessionTests
     {
         var (one, other) = (new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingBuilder().Line(0, 0, 2, 0).Build());
         var session = new DocumentSession();
-        session.Take("SETTING", session.Current with { Settings = new DrawingSettings { JoinToleranceMm = 0.5 } });
-        session.Take("OPEN", new DocumentState { Drawing = one });
+        session.Commit("SETTING", session.Current with { Settings = new DrawingSettings { JoinToleranceMm = 0.5 } });
+        session.Commit("OPEN", new DocumentState { Drawing = one });
         Assert.Null(session.Undo());
-        session.Take("CLOSE", new DocumentState());
+        session.Commit("CLOSE", new DocumentState());
         Assert.Equal("CLOSE", session.Undo());
         Assert.Same(one, session.Current.Drawing);
         session.Redo();
-        session.Take("OPEN", new DocumentState { Drawing = other });
+        session.Commit("OPEN", new DocumentState { Drawing = other });
         Assert.Equal("OPEN", session.Undo());
         Assert.Same(one, session.Current.Drawing);
         Assert.Null(session.Undo());
@@ -58,7 +58,7 @@ public class DocumentSessionTests
     public void A_step_that_changes_nothing_is_none()
     {
         var session = new DocumentSession();
-        session.Take("NOTHING", session.Current with { });
+        session.Commit("NOTHING", session.Current with { });
 
         Assert.Empty(session.UndoNames);
         Assert.Null(session.Undo());

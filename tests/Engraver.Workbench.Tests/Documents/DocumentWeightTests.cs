@@ -46,8 +46,8 @@ public class DocumentWeightTests
     [Fact]
     public async Task Closing_a_drawing_releases_what_followed_from_it()
     {
-        await using var talk = CommandTalk.WithDrawing();
-        talk.Session.Derivation.KeepsUp = true;
+        await using var talk = CommandTestSession.WithDrawing();
+        talk.Session.Derivation.IsAutomatic = true;
         var (job, motion) = await PlannedAsync(talk);
         await talk.TypeAsync("CLOSE");
         await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
@@ -59,11 +59,11 @@ public class DocumentWeightTests
     [Fact]
     public async Task A_drawing_that_is_opened_again_shares_its_columns_with_what_undo_keeps()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         var first = talk.State.Drawing!;
         await talk.TypeAsync("CLOSE");
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         var again = talk.State.Drawing!;
 
         Assert.NotSame(first, again);
@@ -71,12 +71,12 @@ public class DocumentWeightTests
         Assert.Same(first.Entities, again.Entities);
         await talk.TypeAsync("ERASE", "All", "");
         await talk.TypeAsync("CLOSE");
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"));
         Assert.NotSame(first.Parts, talk.State.Drawing!.Parts);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static async Task<(WeakReference Job, WeakReference Motion)> PlannedAsync(CommandTalk talk)
+    private static async Task<(WeakReference Job, WeakReference Motion)> PlannedAsync(CommandTestSession talk)
     {
         var derived = await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
         return (new WeakReference(derived.Job), new WeakReference(derived.Motion));

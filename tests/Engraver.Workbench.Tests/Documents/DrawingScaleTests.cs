@@ -54,7 +54,7 @@ public class DrawingScaleTests
     [Fact]
     public async Task A_new_drawing_takes_the_setting_and_keeps_it()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("CNCUNITS", Inches, "NEW", "CNCUNITS", Millimetres, "LINE", "0,0", "1,0", "");
         Assert.Equal(25.4, MillimetresPerUnit(talk));
         Assert.Equal(25.4, JobPreparation.Analyse(talk.State.Drawing!, talk.State.Settings).ToSegments().Single().Length);
@@ -86,20 +86,20 @@ public class DrawingScaleTests
         await using var talk = await InchDrawingAsync();
         await talk.TypeAsync("CNCUNITS", Millimetres);
         var job = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, Engraver.Core.Machines.MotionStyle.Continuous);
-        Assert.DoesNotContain(SettingTable.Units.Key, SettingWords.Of(job.Recorded).Keys);
+        Assert.DoesNotContain(SettingTable.Units.Key, SettingValues.Of(job.Recorded).Keys);
 
         await talk.TypeAsync("OPEN", "inch.dxf", "CNCUNITS", TheDrawings);
         job = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, Engraver.Core.Machines.MotionStyle.Continuous);
-        Assert.Equal(Millimetres, SettingWords.Of(job.Recorded)[SettingTable.Units.Key]);
+        Assert.Equal(Millimetres, SettingValues.Of(job.Recorded)[SettingTable.Units.Key]);
     }
 
-    private static double MillimetresPerUnit(CommandTalk talk) => talk.State.Scale.MillimetresPerUnit;
+    private static double MillimetresPerUnit(CommandTestSession talk) => talk.State.Scale.MillimetresPerUnit;
 
     /// <summary>A circle of radius 2 about the origin, and a file of it that states inches.</summary>
-    private static async Task<CommandTalk> InchDrawingAsync()
+    private static async Task<CommandTestSession> InchDrawingAsync()
     {
-        var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder { Unit = LengthUnits.FromInsUnits(1)! }.Circle(0.0, 0.0, 2.0).Build() });
+        var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder { Unit = LengthUnits.FromInsUnits(1)! }.Circle(0.0, 0.0, 2.0).Build() });
         await talk.TypeAsync("SAVEAS", "inch.dxf", "OPEN", "inch.dxf");
         return talk;
     }

@@ -21,10 +21,10 @@ public class PostTableTests
     {
         Assert.All(PostTable.All, entry => Assert.Equal(entry.Post.Name, entry.Keyword, ignoreCase: true));
         Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => entry.Post.Name).Distinct().Count());
-        Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => new Keyword(entry.Keyword).Short).Distinct().Count());
-        Assert.Equal(PostTable.Choices.Count, PostTable.Choices.Select(choice => new Keyword(choice.Keyword).Short).Distinct().Count());
+        Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => new Keyword(entry.Keyword).Abbreviation).Distinct().Count());
+        Assert.Equal(PostTable.Choices.Count, PostTable.Choices.Select(choice => new Keyword(choice.Keyword).Abbreviation).Distinct().Count());
         Assert.Equal(PostTable.All.Sum(entry => Math.Max(1, entry.Dialects.Count)), PostTable.Choices.Count);
-        Assert.All(PostTable.All, entry => Assert.Matches(@"^\.[a-z]+$", entry.Post.Ending));
+        Assert.All(PostTable.All, entry => Assert.Matches(@"^\.[a-z]+$", entry.Post.FileExtension));
         Assert.All(PostTable.All, entry => Assert.DoesNotMatch(@"[.|]$", entry.Post.Summary));
     }
 
@@ -32,18 +32,18 @@ public class PostTableTests
     public void Two_posts_with_an_option_of_one_name_mean_the_same_by_it() => Assert.All(PostTable.All.SelectMany(entry => entry.Post.Options), option =>
     {
         Assert.Equal(PostTable.Options.Single(one => one.Name == option.Name), option);
-        Assert.True(option.Takes(option.Default));
-        Assert.False(option.Takes("") || option.Takes("nonsense"));
+        Assert.True(option.IsValid(option.Default));
+        Assert.False(option.IsValid("") || option.IsValid("nonsense"));
     });
 
     [Theory]
     [MemberData(nameof(Names))]
     public async Task POST_writes_every_entry_as_the_console_does(string name)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var file = talk.PathOf("out.txt");
         var sample = name.StartsWith("xps", StringComparison.Ordinal) ? "paper-001" : "gasket"; // Splines take long to verify.
-        await talk.TypeAsync("OPEN", CommandTalk.Sample(sample + ".dxf"), "POST", name, file);
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample(sample + ".dxf"), "POST", name, file);
 
         Assert.Equal(PostedProgram.Create(Open(sample), new DrawingSettings(), PostTable.Find(name).Post, PostedProgram.NoOptions).Text, await File.ReadAllTextAsync(file));
     }
@@ -70,20 +70,20 @@ public class PostTableTests
         {
             var file = PathOf("program.txt");
             File.WriteAllText(file, PostedProgram.Create(Open("paper-001"), new DrawingSettings(), choice.Entry.Post, choice.Options).Text);
-            var found = ProgramForm.Of(file);
+            var found = ProgramFormatDetector.Of(file);
             Assert.Equal(choice.Name == "galil-calls" ? "galil" : choice.Name, found?.Name);
             Assert.Same(choice.Dialect is null ? PostTable.Find(found!.Entry.Post.Name).Reader : choice.Entry.Dialects[choice.Dialect], found!.Reader);
         }
 
         File.WriteAllText(PathOf("empty.NGC"), "\n");
-        Assert.Equal("gcode linuxcnc", ProgramForm.Of(PathOf("empty.NGC"))?.Name);
-        Assert.Equal("galil", ProgramForm.Of(PathOf("none.DMC"))?.Name);
-        Assert.Null(ProgramForm.Of(PathOf("none.txt")));
+        Assert.Equal("gcode linuxcnc", ProgramFormatDetector.Of(PathOf("empty.NGC"))?.Name);
+        Assert.Equal("galil", ProgramFormatDetector.Of(PathOf("none.DMC"))?.Name);
+        Assert.Null(ProgramFormatDetector.Of(PathOf("none.txt")));
         folder.Delete(recursive: true);
         Assert.All(PostTable.All, entry => Assert.NotNull(entry.Reader));
         Assert.Throws<KeyNotFoundException>(() => PostTable.Find("punched-tape"));
         Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MachineFamilies.Default, MotionStyle.Calls)!.Post.Motion);
     }
 
-    private static Core.Drawings.Drawing Open(string sample) => DrawingFile.Open(CommandTalk.Sample(sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
+    private static Core.Drawings.Drawing Open(string sample) => DrawingFile.Open(CommandTestSession.Sample(sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
 }

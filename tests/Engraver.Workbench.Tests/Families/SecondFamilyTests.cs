@@ -13,11 +13,11 @@ public sealed class SecondFamilyTests : IAsyncDisposable
     private const string Profile = """{ "controller": "tiny", "axisX": "X", "axisY": "Y", "countsPerMillimetreX": 100, "countsPerMillimetreY": 100 }""";
 
     private readonly TinyPlotter _plotter = new();
-    private readonly CommandTalk _talk;
+    private readonly CommandTestSession _talk;
 
     public SecondFamilyTests()
     {
-        _talk = new CommandTalk(new MachineFamilies([.. MachineFamilies.Standard.All, Tiny(_plotter)]));
+        _talk = new CommandTestSession(new MachineFamilies([.. MachineFamilies.Standard.All, Tiny(_plotter)]));
         File.WriteAllText(_talk.PathOf("tiny.json"), Profile);
         File.WriteAllText(_talk.PathOf("angle.dxf"), "0\nSECTION\n2\nENTITIES\n" + Line(1, 1, 4, 1) + Line(4, 1, 4, 3) + "0\nENDSEC\n0\nEOF\n");
     }
@@ -31,7 +31,7 @@ public sealed class SecondFamilyTests : IAsyncDisposable
     {
         await _talk.TypeAsync("OPEN", "angle.dxf", "CNCPROFILE", "tiny.json", "CNCCONNECT", "tiny://bench", "CNCZERO", "All");
         await _talk.TypeAsync("CNCARM", keyword, "CNCRUN");
-        var entry = Assert.Single(_talk.Session.History.Look().Entries);
+        var entry = Assert.Single(_talk.Session.History.Refresh().Entries);
 
         Assert.Contains("Connected to TINY-1", _talk.Said, StringComparison.Ordinal);
         Assert.Contains($"mode {keyword}", _talk.Said, StringComparison.Ordinal);
@@ -44,7 +44,7 @@ public sealed class SecondFamilyTests : IAsyncDisposable
     public async Task The_run_of_the_history_is_opened_with_its_controller_again()
     {
         await _talk.TypeAsync("OPEN", "angle.dxf", "CNCPROFILE", "tiny.json", "CNCCONNECT", "tiny://bench", "CNCZERO", "All", "CNCARM", "Plot", "CNCRUN");
-        var entry = Assert.Single(_talk.Session.History.Look().Entries);
+        var entry = Assert.Single(_talk.Session.History.Refresh().Entries);
 
         Assert.IsType<TinyDriver>(entry.ToSettings(_talk.Session.Families).Machine.Controller);
         Assert.Throws<FormatException>(() => entry.ToSettings(MachineFamilies.Standard));
@@ -79,7 +79,7 @@ public sealed class SecondFamilyTests : IAsyncDisposable
         if (profile is not null) await _talk.TypeAsync("OPEN", "angle.dxf", "CNCPROFILE", profile);
         var failed = Assert.IsType<InputResult.Failed>(await _talk.TypeAsync("CNCCONNECT", address));
 
-        Assert.Contains($"The machine profile names a {controller} controller, which is not reached at {reached}.", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains($"The machine profile names a {controller} controller, which is not reached at {reached}.", failed.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -109,10 +109,10 @@ public sealed class SecondFamilyTests : IAsyncDisposable
         return new MachineFamily
         {
             Driver = driver,
-            Takes = address => address is TinyAddress,
+            Accepts = address => address is TinyAddress,
             ParseAddress = text => text.StartsWith("tiny://", StringComparison.Ordinal) ? new TinyAddress(text[7..]) : null,
             AddressForms = ["tiny://NAME"],
-            Connect = (address, time, _, _) => MachineConnection.Through(address.Typed, _ => Task.FromResult(plotter.Open()), () => MachineClock.FromWall(time), driver),
+            Connect = (address, time, _, _) => MachineConnection.FromLink(address.Typed, _ => Task.FromResult(plotter.Open()), () => MachineClock.FromWall(time), driver),
         };
     }
 

@@ -17,15 +17,15 @@ internal sealed class TinyConnection(TinyChannel channel, string model, TinyDriv
 
     public bool IsBroken => false;
 
-    public async ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation) => new(await PositionAsync(cancellation), default, Moves: false, MotorsOff: "") { Inputs = 0, Outputs = 0 };
+    public async ValueTask<MachineReading> ReadStatusAsync(MachineAxes axes, CancellationToken cancellation) => new(await PositionAsync(cancellation), default, IsMoving: false, MotorsOff: "") { Inputs = 0, Outputs = 0 };
 
-    public async ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation)
+    public async ValueTask<ControllerPosition> ReadPositionAsync(MachineAxes axes, CancellationToken cancellation)
     {
         var words = (await channel.AskAsync("AT", cancellation)).Split(' ');
-        return new ControllerPlace(Point(words), Serial: 1, Mark: int.Parse(words[2], CultureInfo.InvariantCulture), Clock: 1.0) { Letters = axes.Letters };
+        return new ControllerPosition(Point(words), Serial: 1, Mark: int.Parse(words[2], CultureInfo.InvariantCulture), Clock: 1.0) { Letters = axes.Letters };
     }
 
-    public async ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => await channel.AskAsync(string.Create(CultureInfo.InvariantCulture, $"MARK {mark}"), cancellation) == "OK";
+    public async ValueTask<bool> StoreMarkAsync(int mark, CancellationToken cancellation) => await channel.AskAsync(string.Create(CultureInfo.InvariantCulture, $"MARK {mark}"), cancellation) == "OK";
 
     public Task StopAsync(params IReadOnlyList<OutputSwitch> outputs) => channel.AskAsync("UP", CancellationToken.None);
 
@@ -35,7 +35,7 @@ internal sealed class TinyConnection(TinyChannel channel, string model, TinyDriv
 
     public Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation) => Task.FromResult<MachineRefusal?>(new MachineRefusal(1, NotOffered, "", NotOffered));
 
-    public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => Task.FromResult<IReadOnlyList<TerminalAnswer>>([new TerminalAnswer(TerminalAnswerKind.Withheld, NotOffered)]);
+    public Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation) => Task.FromResult<IReadOnlyList<TerminalAnswer>>([new TerminalAnswer(TerminalAnswerKind.Withheld, NotOffered)]);
 
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => (message = null) is not null;
 
@@ -64,7 +64,7 @@ internal sealed class TinyConnection(TinyChannel channel, string model, TinyDriv
         var result = new JobResult
         {
             Outcome = JobOutcome.Complete,
-            Sentence = "The drawing is plotted.",
+            Message = "The drawing is plotted.",
             SegmentsSent = executed,
             SegmentsExecuted = executed,
             Seconds = seconds,
@@ -80,7 +80,7 @@ internal sealed class TinyConnection(TinyChannel channel, string model, TinyDriv
         return options.Judge?.Invoke(result) ?? result;
     }
 
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => Task.FromResult(ResumePlace.Refused(NotOffered));
+    public Task<ResumePosition> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => Task.FromResult(ResumePosition.Refused(NotOffered));
 
     public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) => Task.FromResult(JobResult.NotStarted(0, NotOffered));
 

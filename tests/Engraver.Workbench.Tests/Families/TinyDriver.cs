@@ -44,7 +44,7 @@ internal sealed class TinyDriver : IMachineDriver
         return new MotionGeneration(new MotionProgram(profile, profile.Scale.ToCounts(toolpath.ToolStart), columns.Strokes()) { Style = style }, []);
     }
 
-    public LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => new(program, []);
+    public LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => new(program, []);
 
     public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => MotionTime.Calculate(program, NetworkTimes);
 

@@ -25,7 +25,7 @@ public sealed class TemporaryFileTests : IDisposable
             half.Write("whole"u8);
         }
 
-        Assert.ThrowsAny<IOException>(temporary.TakePlace);
+        Assert.ThrowsAny<IOException>(temporary.ReplaceTarget);
         Assert.Equal("old", File.ReadAllText(Target));
         Assert.Single(_folder.GetFiles());
     }

@@ -23,14 +23,14 @@ public sealed class JobHistoryTests : IDisposable
         var settings = new DrawingSettings { Layers = ["A"], MaxErrorMm = 0.003, Machine = MachineProfile.Default with { FeedMmPerMinute = 321.0 } };
         var entry = Entry("part.dxf", s_now, settings) with { Kind = "run", Mode = "calls", Address = "sim:", Outcome = "deviated", Sentence = "It left the path.", Seconds = 1.5, PlannedSeconds = 1.25, MaxDeviation = 0.1, MissingLength = 2.0, Journal = "/j", Report = "/r", Checks = [new(true, true, "Look.")] };
         var (kept, failure) = new JobHistory(Index).Add(entry);
-        var back = Assert.Single(new JobHistory(Index).Look().Entries);
+        var back = Assert.Single(new JobHistory(Index).Refresh().Entries);
 
         Assert.Null(failure);
         Assert.Equal(kept.Id, back.Id);
         Assert.Equal(entry.Checks, back.Checks);
         Assert.Equal(entry with { Id = kept.Id, Checks = null, Settings = back.Settings, Profile = back.Profile, Options = back.Options }, back with { Checks = null });
         Assert.Equal((321.0, 0.003, "A"), (back.ToSettings(MachineFamilies.Standard).Machine.FeedMmPerMinute, back.ToSettings(MachineFamilies.Standard).MaxErrorMm, Assert.Single(back.ToSettings(MachineFamilies.Standard).Layers!)));
-        Assert.Equal(SettingWords.Of(settings), SettingWords.Of(back.ToSettings(MachineFamilies.Standard)));
+        Assert.Equal(SettingValues.Of(settings), SettingValues.Of(back.ToSettings(MachineFamilies.Standard)));
     }
 
     [Fact]
@@ -38,32 +38,32 @@ public sealed class JobHistoryTests : IDisposable
     {
         var history = new JobHistory(Index);
         foreach (var (name, hours) in new[] { ("late.dxf", 2), ("early.dxf", 0), ("middle.dxf", 1) }) history.Add(Entry(name, s_now.AddHours(hours)));
-        var reading = new JobHistory(Index).Look();
+        var reading = new JobHistory(Index).Refresh();
 
         Assert.Equal(["late.dxf", "middle.dxf", "early.dxf"], reading.Entries.Select(entry => Path.GetFileName(entry.Drawing)));
         Assert.Same(reading.Entries[1], reading.Find("2"));
         Assert.Same(reading.Entries[2], reading.Find(reading.Entries[2].Id));
         Assert.All(["0", "4", "-1", "x", ""], word => Assert.Null(reading.Find(word)));
-        Assert.Equal("early.dxf", Path.GetFileName(Assert.Single(reading.Holding("EARLY").Entries).Drawing));
-        Assert.Equal("middle.dxf", Path.GetFileName(Assert.Single(reading.Holding("2026-11-23 10:00").Entries).Drawing));
-        Assert.Empty(reading.Holding("nothing of the kind").Entries);
+        Assert.Equal("early.dxf", Path.GetFileName(Assert.Single(reading.Filter("EARLY").Entries).Drawing));
+        Assert.Equal("middle.dxf", Path.GetFileName(Assert.Single(reading.Filter("2026-11-23 10:00").Entries).Drawing));
+        Assert.Empty(reading.Filter("nothing of the kind").Entries);
     }
 
     [Fact]
     public void A_run_stands_as_begun_until_it_ends_and_one_that_did_nothing_leaves_nothing()
     {
         var (history, failures) = (new JobHistory(Index), new List<string>());
-        using (var open = new OpenJob(history, Entry("killed.dxf", s_now) with { Outcome = "begun" }, failures.Add))
+        using (var open = new PendingRun(history, Entry("killed.dxf", s_now) with { Outcome = "begun" }, failures.Add))
         {
-            Assert.Equal("begun", Assert.Single(new JobHistory(Index).Look().Entries).Outcome);
+            Assert.Equal("begun", Assert.Single(new JobHistory(Index).Refresh().Entries).Outcome);
             open.End(Entry("killed.dxf", s_now) with { Outcome = "complete" });
             Assert.Throws<InvalidOperationException>(() => open.End(Entry("killed.dxf", s_now)));
         }
 
-        Assert.Equal("complete", Assert.Single(new JobHistory(Index).Look().Entries).Outcome);
-        new OpenJob(history, Entry("nothing.dxf", s_now) with { Outcome = "begun" }, failures.Add).Dispose();
-        Assert.Equal("killed.dxf", Path.GetFileName(Assert.Single(new JobHistory(Index).Look().Entries).Drawing));
-        Assert.Single(history.Known.Entries);
+        Assert.Equal("complete", Assert.Single(new JobHistory(Index).Refresh().Entries).Outcome);
+        new PendingRun(history, Entry("nothing.dxf", s_now) with { Outcome = "begun" }, failures.Add).Dispose();
+        Assert.Equal("killed.dxf", Path.GetFileName(Assert.Single(new JobHistory(Index).Refresh().Entries).Drawing));
+        Assert.Single(history.Snapshot.Entries);
         Assert.Empty(failures);
     }
 
@@ -72,7 +72,7 @@ public sealed class JobHistoryTests : IDisposable
     {
         new JobHistory(Index).Add(Entry("part.dxf", s_now));
         NamedPipe.Make(Path.Combine(Index, "20000101-000000-000-pipe.json"));
-        var reading = await Task.Run(() => new JobHistory(Index).Look()).WaitAsync(TimeSpan.FromSeconds(30));
+        var reading = await Task.Run(() => new JobHistory(Index).Refresh()).WaitAsync(TimeSpan.FromSeconds(30));
 
         Assert.Equal("part.dxf", Path.GetFileName(Assert.Single(reading.Entries).Drawing));
         Assert.Empty(reading.Findings);
@@ -88,7 +88,7 @@ public sealed class JobHistoryTests : IDisposable
             var history = new JobHistory(Index);
             for (var i = 0; i < Each; i++) Assert.Null(history.Add(Entry(string.Create(CultureInfo.InvariantCulture, $"{writer}-{i}.dxf"), s_now)).Failure);
         })));
-        var reading = new JobHistory(Index).Look();
+        var reading = new JobHistory(Index).Refresh();
 
         Assert.Empty(reading.Findings);
         Assert.Equal(Writers * Each, reading.Entries.Select(entry => entry.Drawing).Distinct().Count());
@@ -98,10 +98,10 @@ public sealed class JobHistoryTests : IDisposable
     [Fact]
     public void The_oldest_go_when_there_are_too_many()
     {
-        var history = new JobHistory(Index, most: 3);
+        var history = new JobHistory(Index, maxEntries: 3);
         for (var day = 0; day < 5; day++) history.Add(Entry(string.Create(CultureInfo.InvariantCulture, $"{day}.dxf"), s_now.AddDays(day)));
 
-        Assert.Equal(["4.dxf", "3.dxf", "2.dxf"], new JobHistory(Index).Look().Entries.Select(entry => Path.GetFileName(entry.Drawing)));
+        Assert.Equal(["4.dxf", "3.dxf", "2.dxf"], new JobHistory(Index).Refresh().Entries.Select(entry => Path.GetFileName(entry.Drawing)));
     }
 
     [Theory]
@@ -114,12 +114,12 @@ public sealed class JobHistoryTests : IDisposable
         var history = new JobHistory(Index);
         history.Add(Entry("good.dxf", s_now));
         File.WriteAllText(Path.Combine(Index, "20261123-080000-000-bad.json"), text);
-        var reading = history.Look();
+        var reading = history.Refresh();
 
         Assert.Equal("good.dxf", Path.GetFileName(Assert.Single(reading.Entries).Drawing));
         Assert.Contains("20261123-080000-000-bad.json", Assert.Single(reading.Findings), StringComparison.Ordinal);
         Assert.Equal(text, File.ReadAllText(Path.Combine(Index, "unreadable", "20261123-080000-000-bad.json")));
-        Assert.Empty(history.Look().Findings);
+        Assert.Empty(history.Refresh().Findings);
     }
 
     [Fact]
@@ -128,8 +128,8 @@ public sealed class JobHistoryTests : IDisposable
         var history = new JobHistory(Index);
         var kept = history.Add(Entry("a.dxf", s_now) with { Version = 2 }).Entry;
 
-        Assert.Empty(new JobHistory(Index).Look().Entries);
-        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.Empty(new JobHistory(Index).Refresh().Entries);
+        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Refresh().Findings), StringComparison.Ordinal);
         Assert.True(File.Exists(Path.Combine(Index, kept.Id + ".json")));
     }
 
@@ -140,7 +140,7 @@ public sealed class JobHistoryTests : IDisposable
         var later = Path.Combine(Index, "20261123-080000-000-later.json");
         File.WriteAllText(later, "{\"version\": 2, \"when\": 7}");
 
-        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Refresh().Findings), StringComparison.Ordinal);
         Assert.True(File.Exists(later));
     }
 
@@ -164,7 +164,7 @@ public sealed class JobHistoryTests : IDisposable
     {
         new JobHistory(Index).Add(Entry("a.dxf", s_now) with { Drawing = "" });
 
-        Assert.Contains("does not name a drawing", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.Contains("does not name a drawing", Assert.Single(new JobHistory(Index).Refresh().Findings), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -176,8 +176,8 @@ public sealed class JobHistoryTests : IDisposable
         memory.Add(Entry("a.dxf", s_now));
 
         Assert.NotNull(failure);
-        Assert.Equal("a.dxf", Path.GetFileName(Assert.Single(memory.Known.Entries).Drawing));
-        Assert.Single(memory.Look().Entries);
+        Assert.Equal("a.dxf", Path.GetFileName(Assert.Single(memory.Snapshot.Entries).Drawing));
+        Assert.Single(memory.Refresh().Entries);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);

@@ -26,7 +26,7 @@ public sealed partial class OptionLanguageTests
         foreach (var option in options)
         {
             Assert.True(file.Find(nameof(Keyword), option.Name) is not null, $"{file.Code}.json has no Keyword/{option.Name}.");
-            foreach (var typed in new[] { option.Shown, string.Concat(option.Shown.Where(letter => char.IsUpper(letter) || char.IsAsciiDigit(letter))), option.Name, option.Short, "_" + option.Name })
+            foreach (var typed in new[] { option.Shown, string.Concat(option.Shown.Where(letter => char.IsUpper(letter) || char.IsAsciiDigit(letter))), option.Name, option.Abbreviation, "_" + option.Name })
             {
                 if (typed.Length > 0) Assert.True(Keyword.Find(options, typed) == option, $"'{typed}' is not {option.Name} but {Keyword.Find(options, typed)?.Name} at [{string.Join('/', options.Select(one => one.Shown))}].");
             }
@@ -37,7 +37,7 @@ public sealed partial class OptionLanguageTests
     public async Task A_prompt_speaks_German_and_takes_both_languages()
     {
         CultureInfo.CurrentUICulture = s_german; // flows with this task alone
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("THEME");
         Assert.Equal("Farbschema eingeben [Dunkel/Hell/Kontraststark] <Dunkel>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("hell", "THEME", "_Dark", "THEME", "Light", "THEME", "");
@@ -50,8 +50,8 @@ public sealed partial class OptionLanguageTests
     public async Task A_colour_has_its_German_name_and_answers_to_both()
     {
         CultureInfo.CurrentUICulture = s_german;
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("gasket.dxf"));
         foreach (var (typed, shown, index) in new[] { ("Grün", "grün", 3), ("BLUE", "blau", 5), ("weiß", "weiß", 7), ("WEISS", "weiß", 7), ("9", "9", 9) })
         {
             await talk.TypeAsync("LAYER", "C", typed, "VENTS", "");
@@ -66,7 +66,7 @@ public sealed partial class OptionLanguageTests
     [Fact]
     public async Task LANGUAGE_is_kept_and_Auto_forgets_it()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("LANGUAGE");
         Assert.Equal("Enter language [Auto/English/German] <Auto>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("German");
@@ -82,7 +82,7 @@ public sealed partial class OptionLanguageTests
     public void Back_is_one_word_for_a_direction_and_another_for_a_step() => In(s_german, () =>
     {
         Assert.Equal("Hinten", new Keyword("Back").Shown);
-        Assert.Equal("Zurück", (new Keyword("Back") { Use = "Step" }).Shown);
+        Assert.Equal("Zurück", (new Keyword("Back") { Context = "Step" }).Shown);
     });
 
     private static void In(CultureInfo culture, Action act)

@@ -69,7 +69,7 @@ public class PseudoLanguageTests
         CultureInfo.CurrentUICulture = new CultureInfo(PseudoLanguage.CultureName);
         try
         {
-            Assert.All(SettingTable.All, setting => Assert.Empty(PseudoLanguage.Unspoken(setting.Name + SettingWording.OnConsole(setting.Meaning) + SettingWording.AtCommandLine(setting.Meaning))));
+            Assert.All(SettingTable.All, setting => Assert.Empty(PseudoLanguage.UnmarkedWords(setting.Name + SettingWording.OnConsole(setting.Meaning) + SettingWording.AtCommandLine(setting.Meaning))));
         }
         finally
         {
@@ -80,7 +80,7 @@ public class PseudoLanguageTests
     private static async Task AssertSpokenAsync(string[] inputs)
     {
         CultureInfo.CurrentUICulture = new CultureInfo(PseudoLanguage.CultureName); // flows with this task alone
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var shown = new List<string>();
         foreach (var input in inputs)
         {
@@ -90,7 +90,7 @@ public class PseudoLanguageTests
 
         await talk.Session.CancelAsync();
         shown.AddRange(talk.Said.Split('\n'));
-        var wrong = shown.Where(line => PseudoLanguage.Unspoken(line).Except(s_stays).Any() || HiddenSentence.IsIn(line)).Distinct().ToList();
+        var wrong = shown.Where(line => PseudoLanguage.UnmarkedWords(line).Except(s_stays).Any() || HiddenSentence.IsIn(line)).Distinct().ToList();
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
         Assert.Contains(shown, line => line.Contains('⟦', StringComparison.Ordinal));
     }

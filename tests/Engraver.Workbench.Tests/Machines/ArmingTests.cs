@@ -87,12 +87,12 @@ public class ArmingTests
         var lost = ArmingChecklist.Create(MachineBench.Job(), ready with { State = MachineState.Fault, IsLinkLost = true }, errorsAccepted: false, MachineBench.Placed, default);
         var silent = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed, default(DateTimeOffset) + TimeSpan.FromSeconds(5.5));
 
-        Assert.Contains(lost.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("The link to tcp://x is lost; ", StringComparison.Ordinal));
-        Assert.Contains(silent.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("tcp://x has not replied for 5 s; ", StringComparison.Ordinal));
+        Assert.Contains(lost.Checks, check => check is { Passed: false, IsCurrent: true } && check.Message.StartsWith("The link to tcp://x is lost; ", StringComparison.Ordinal));
+        Assert.Contains(silent.Checks, check => check is { Passed: false, IsCurrent: true } && check.Message.StartsWith("tcp://x has not replied for 5 s; ", StringComparison.Ordinal));
         foreach (var list in new[] { lost, silent })
         {
-            Assert.Equal(5, list.Checks.Count(check => check is { Passed: false, IsAsked: false } && check.Sentence.StartsWith("Not known now; ", StringComparison.Ordinal)));
-            Assert.Equal(["The drawing has no errors.", "The job has 2 segments."], list.Checks.Where(check => check.Passed).Select(check => check.Sentence));
+            Assert.Equal(5, list.Checks.Count(check => check is { Passed: false, IsCurrent: false } && check.Message.StartsWith("Not known now; ", StringComparison.Ordinal)));
+            Assert.Equal(["The drawing has no errors.", "The job has 2 segments."], list.Checks.Where(check => check.Passed).Select(check => check.Message));
         }
     }
 
@@ -111,7 +111,7 @@ public class ArmingTests
     [Fact]
     public async Task The_status_goes_through_the_same_list_with_what_to_do()
     {
-        await using var talk = new Commands.CommandTalk();
+        await using var talk = new Commands.CommandTestSession();
         await talk.TypeAsync("CNCCONNECT", "sim:", "CNCMOTORS", "OFF", "CNCSTATUS");
         Assert.Contains("ok     The link to sim: is up; the controller has just replied.", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; switch them on with CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
@@ -121,9 +121,9 @@ public class ArmingTests
     [Fact]
     public async Task Units_that_were_assumed_are_on_the_list()
     {
-        await using var talk = new Commands.CommandTalk();
+        await using var talk = new Commands.CommandTestSession();
         var file = Path.Combine(Directory.CreateTempSubdirectory("engraver-units-").FullName, "no-unit.dxf");
-        await File.WriteAllTextAsync(file, (await File.ReadAllTextAsync(Commands.CommandTalk.Sample("paper-001.dxf"))).Replace("$INSUNITS", "$NOUNITS", StringComparison.Ordinal));
+        await File.WriteAllTextAsync(file, (await File.ReadAllTextAsync(Commands.CommandTestSession.Sample("paper-001.dxf"))).Replace("$INSUNITS", "$NOUNITS", StringComparison.Ordinal));
         await talk.TypeAsync("OPEN", file, "CNCCONNECT", "sim:", "CNCARM", "Stream");
         Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("WARN   The drawing does not state its unit", StringComparison.Ordinal));
         Directory.Delete(Path.GetDirectoryName(file)!, recursive: true);
@@ -132,9 +132,9 @@ public class ArmingTests
     [Fact]
     public async Task After_a_job_that_was_stopped_the_list_says_so_and_the_next_one_goes_to_the_same_place()
     {
-        await using var talk = new Commands.CommandTalk();
+        await using var talk = new Commands.CommandTestSession();
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=4", "CNCARM", "Stream");
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=4", "CNCARM", "Stream");
         Assert.DoesNotContain("WARN", talk.Said, StringComparison.Ordinal);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Status is { ToolCommanded: true, WorkPosition.X: > 60 }) cutting.TrySetResult(); };
@@ -153,18 +153,18 @@ public class ArmingTests
     [Fact]
     public void A_job_without_a_place_is_not_armed_and_the_list_says_why_and_what_to_do()
     {
-        var stands = new ControllerPlace(new CountsPoint(5000, 0));
-        var nowhere = WorkPlacement.Find(MachineMemory.Empty, stands, new OriginRequest.Work(), MachineProfile.Default, default);
+        var stands = new ControllerPosition(new CountsPoint(5000, 0));
+        var nowhere = WorkPlacement.Find(StoredMachineState.Empty, stands, new OriginRequest.ActiveOrigin(), MachineProfile.Default, default);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
 
         var refused = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, nowhere, default);
         Assert.False(refused.Passed);
-        Assert.Contains("G54 is not set on this machine. The machine position is 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
-        Assert.Contains("CNCZERO", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
+        Assert.Contains("G54 is not set on this machine. The machine position is 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Message, StringComparison.Ordinal);
+        Assert.Contains("CNCZERO", Assert.Single(refused.Checks, check => !check.Passed).Message, StringComparison.Ordinal);
         Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null, default).Passed);
         var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null), default);
         Assert.True(placed.Passed);
-        Assert.Contains(placed.Checks, check => check.Sentence.Contains("zero is at machine position 12.5,-3 mm", StringComparison.Ordinal));
+        Assert.Contains(placed.Checks, check => check.Message.Contains("zero is at machine position 12.5,-3 mm", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -179,8 +179,8 @@ public class ArmingTests
     [Fact]
     public async Task CNCRUN_of_what_was_armed_asks_nothing_and_is_armed_no_more()
     {
-        await using var talk = new Commands.CommandTalk();
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream");
+        await using var talk = new Commands.CommandTestSession();
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream");
         Assert.Equal(MachineState.Armed, talk.Session.Machine.Status.State);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
@@ -188,14 +188,14 @@ public class ArmingTests
         Assert.Equal(JobOutcome.Complete, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal("none", talk.Session.Machine.Runs.LastRun.Judgement.Source);
         Assert.Null(talk.Session.Machine.Arming.Armed);
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRUN"));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync("CNCRUN"));
     }
 
     [Fact]
     public async Task An_edit_or_another_setting_disarms_and_a_selection_does_not()
     {
-        await using var talk = new Commands.CommandTalk();
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Stream", "SELECT", "ALL", "");
+        await using var talk = new Commands.CommandTestSession();
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Stream", "SELECT", "ALL", "");
         Assert.Equal(MachineState.Armed, talk.Session.Machine.Status.State);
 
         await talk.TypeAsync("CNCMAXERR", "0.02");
@@ -207,10 +207,10 @@ public class ArmingTests
     [Fact]
     public async Task Motors_that_are_off_are_on_the_list_and_nothing_is_armed()
     {
-        await using var talk = new Commands.CommandTalk();
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCMOTORS", "OFF");
+        await using var talk = new Commands.CommandTestSession();
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCMOTORS", "OFF");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Reason);
         await talk.TypeAsync("CNCSTATUS");
         Assert.Contains("state MOTORS OFF (motor off: XY), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; switch them on with CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);

@@ -26,7 +26,7 @@ public sealed class FrameTests : IDisposable
         bench.Machine.Changed += (_, _) => states.Add(bench.Machine.Status.State);
         var result = await bench.Machine.Runs.FrameAsync(JobFrame.Of(MachineBench.Job(), shape)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
 
-        Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
+        Assert.True(result.Outcome == JobOutcome.Complete, result.Message);
         var samples = bench.Controller.Record.Snapshot().Skip(before).ToList();
         Assert.All(samples, sample => Assert.Equal(0, sample.Outputs));
         Assert.Equal((48000L, 7000L), ((long)samples.Max(sample => sample.A), (long)samples.Max(sample => sample.B))); // 45, 5 of the drawing
@@ -70,7 +70,7 @@ public sealed class FrameTests : IDisposable
 
         var result = await bench.Machine.Runs.FrameAsync(JobFrame.Of(job, FrameShape.Rectangle)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
 
-        Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
+        Assert.True(result.Outcome == JobOutcome.Complete, result.Message);
         Assert.Equal(" 155001.0000 -10001.0000 200001.0000 -20001.0000\r\n:", under);
         Assert.Equal(" 900000.0000 -900000.0000 800000.0000 -2147483648.0000\r\n:", Ask(bench, Limits));
     }
@@ -89,28 +89,28 @@ public sealed class FrameTests : IDisposable
     [Fact]
     public async Task A_job_that_would_leave_the_travel_is_on_the_list_and_is_neither_armed_nor_framed()
     {
-        await using var talk = new Commands.CommandTalk();
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
+        await using var talk = new Commands.CommandTestSession();
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
         var axes = MachineProfile.Default.Axes;
         var state = talk.Session.Document.Current;
         var profile = MachineProfile.Default with { Axes = axes with { X = axes.X with { Travel = new AxisTravel(-10, 155) }, Y = axes.Y with { Travel = new AxisTravel(-10, 200) } } };
-        talk.Session.Document.Take("PROFILE", state with { Settings = state.Settings with { Machine = profile } });
+        talk.Session.Document.Commit("PROFILE", state with { Settings = state.Settings with { Machine = profile } });
         await talk.TypeAsync("CNCARM", "Stream");
         Assert.True(talk.Said.Contains("ok     The placed job is inside the travel of the machine.", StringComparison.Ordinal), talk.Said);
 
         await talk.TypeAsync("CNCGOTO", "10,0", "CNCZERO", "All"); // 150 mm of drawing from here end at 160
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Reason);
         Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The move would take axis X to 160 mm; its travel is -10 to 155 mm.", StringComparison.Ordinal));
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", "Rectangle")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", "Rectangle")).Reason);
         Assert.Equal(10.0, talk.Session.Machine.Status.MachinePosition!.Value.X);
     }
 
     [Fact]
     public async Task CNCFRAME_goes_round_what_is_open_and_says_so()
     {
-        await using var talk = new Commands.CommandTalk();
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
+        await using var talk = new Commands.CommandTestSession();
+        await talk.TypeAsync("OPEN", Commands.CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCFRAME", "Hull"));
         Assert.Contains("Frame complete. The tool was off.", talk.Said, StringComparison.Ordinal);

@@ -25,7 +25,7 @@ public sealed class HeightPartTests : IDisposable
     {
         var report = await RunAsync(Part(), Mill(), mode);
 
-        Assert.Equal(("Done: 9 segments.", JobOutcome.Complete), (report.Result.Sentence, report.Result.Outcome));
+        Assert.Equal(("Done: 9 segments.", JobOutcome.Complete), (report.Result.Message, report.Result.Outcome));
         Assert.Equal("record", report.Judgement.Source);
         Assert.InRange(report.Judgement.MaxDeviationMm!.Value, 0.0, 2.5 * Count);
         Assert.Equal(0.0, report.Judgement.MissingLengthMm);
@@ -76,7 +76,7 @@ public sealed class HeightPartTests : IDisposable
 
         var report = await RunAsync(drawing, mill, mode);
 
-        Assert.Equal(("Done: 6 segments.", JobOutcome.Complete), (report.Result.Sentence, report.Result.Outcome));
+        Assert.Equal(("Done: 6 segments.", JobOutcome.Complete), (report.Result.Message, report.Result.Outcome));
         Assert.InRange(report.Judgement.MaxDeviationMm!.Value, 0.0, 2.5 * Count);
         Assert.Equal(0.0, report.Judgement.MissingLengthMm);
     }
@@ -86,7 +86,7 @@ public sealed class HeightPartTests : IDisposable
     {
         var drawing = Drawing(Line(10, 10, -1, 40, 10, -1), Line(10, 10, -2, 40, 10, -2));
         var report = await RunAsync(drawing, Mill(), JobMode.Stream);
-        Assert.Equal(("Done: 2 segments.", 0.0), (report.Result.Sentence, report.Judgement.MissingLengthMm));
+        Assert.Equal(("Done: 2 segments.", 0.0), (report.Result.Message, report.Judgement.MissingLengthMm));
 
         var settings = new DrawingSettings { Machine = Mill() };
         var once = PostedProgram.Create(Drawing(Line(10, 10, -1, 40, 10, -1)), settings, PostTable.Find("galil").Post, PostedProgram.NoOptions).Text!;

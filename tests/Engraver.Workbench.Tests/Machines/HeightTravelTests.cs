@@ -21,9 +21,9 @@ public sealed class HeightTravelTests
         await using var talk = await ConnectedAsync("-2", "20");
         await talk.TypeAsync("CNCZERO", "All");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Reason);
         Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The job would take the tool's axis Z to -2.5 mm; its travel is -2 to 20 mm. ", StringComparison.Ordinal) && line.Contains("CNCZERO", StringComparison.Ordinal));
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Reason);
         Assert.Contains("JOB0033", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("inside the travel", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")); // It does not reach that depth.
@@ -40,10 +40,10 @@ public sealed class HeightTravelTests
         await using var talk = await ConnectedAsync("-5", "10");
         await talk.TypeAsync("CNCZERO", "All");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")).Reason);
         Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK A dry run and a frame run 6.5 mm higher than the job. This would take the tool's axis Z to 10.5 mm; its travel is -5 to 10 mm. ", StringComparison.Ordinal));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
-        foreach (var shape in Enum.GetNames<FrameShape>()) Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", shape)).Why);
+        foreach (var shape in Enum.GetNames<FrameShape>()) Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", shape)).Reason);
         Assert.Equal(3, talk.Said.Split("JOB0034").Length - 1);
         Assert.Equal((0.0, 0.0), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachineHeight));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
@@ -57,9 +57,9 @@ public sealed class HeightTravelTests
         await using var talk = await ConnectedAsync("-3", "10");
         await talk.TypeAsync("CNCJOG", "Z+", "7", "CNCZERO", "All");
 
-        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "Clearance")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("axis Z to -4 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG", "Z-", "11")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")).Message, StringComparison.Ordinal);
+        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "Clearance")).Message, StringComparison.Ordinal);
+        Assert.Contains("axis Z to -4 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG", "Z-", "11")).Message, StringComparison.Ordinal);
         Assert.Equal((0.0, 7.0), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachineHeight));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCJOG", "Z+", "3"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")); // still a millimetre under the clearance over the work
@@ -86,21 +86,21 @@ public sealed class HeightTravelTests
 
         var report = await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, address => new MachineRunOptions(address, mode.Strategy()) { JournalPath = Path.Combine(folder.FullName, "job.jsonl"), DryRun = dryRun }, bench.Limit);
 
-        Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
+        Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Message);
         var heights = MotionExtents.Of(job.Motion.Program!).Heights(mill, dryRun)!.Value;
         var reached = bench.Controller.Record.Snapshot().Skip(before).SkipWhile(sample => sample.A == 0).Select(sample => (long)sample.C).ToList();
-        Assert.Equal((heights.Least + 1600, heights.Most + 1600), (reached.Min(), reached.Max()));
+        Assert.Equal((heights.Min + 1600, heights.Max + 1600), (reached.Min(), reached.Max()));
         folder.Delete(recursive: true);
     }
 
     private static string Mill(string least, string most) => File.ReadAllText(Path.Combine(RepositoryFolder.Samples, "machine-mill.json"))
         .Replace("\"cutDepth\": 0", string.Create(CultureInfo.InvariantCulture, $"\"cutDepth\": 2.5, \"travelZ\": {{ \"min\": {least}, \"max\": {most} }}"), StringComparison.Ordinal);
 
-    private static async Task<CommandTalk> ConnectedAsync(string least, string most)
+    private static async Task<CommandTestSession> ConnectedAsync(string least, string most)
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         await File.WriteAllTextAsync(talk.PathOf("mill.json"), Mill(least, most));
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCPROFILE", talk.PathOf("mill.json"), "CNCCONNECT", "sim:?speed=max", "CNCMOTORS", "ON");
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"), "CNCPROFILE", talk.PathOf("mill.json"), "CNCCONNECT", "sim:?speed=max", "CNCMOTORS", "ON");
         return talk;
     }
 }

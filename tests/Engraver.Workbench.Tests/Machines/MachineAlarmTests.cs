@@ -26,7 +26,7 @@ public class MachineAlarmTests
     public void Every_end_before_the_end_is_an_alarm_with_its_own_cause_and_the_jobs_own_words(JobOutcome outcome, LinkLoss? loss, AlarmCause cause)
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        MachineAlarms.Ended(log, Result(outcome) with { Loss = loss, Sentence = "The cable was cut.", SegmentsExecuted = 3 }, Link);
+        MachineAlarms.JobEnded(log, Result(outcome) with { Loss = loss, Message = "The cable was cut.", SegmentsExecuted = 3 }, Link);
 
         var alarm = Assert.Single(log.All);
         Assert.Equal((cause, "The cable was cut.", $"{Link}, after 3 segments", AlarmState.Unacknowledged), (alarm.Cause, alarm.What, alarm.Where, alarm.State));
@@ -37,9 +37,9 @@ public class MachineAlarmTests
     public void A_complete_job_raises_nothing_and_a_refusal_is_told_apart_from_a_stop()
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        MachineAlarms.Ended(log, Result(JobOutcome.Complete), Link);
+        MachineAlarms.JobEnded(log, Result(JobOutcome.Complete), Link);
         Assert.Empty(log.All);
-        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS").ToRefusal() }, Link);
+        MachineAlarms.JobEnded(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS").ToRefusal() }, Link);
 
         Assert.Equal(AlarmCause.Refused, Assert.Single(log.All).Cause);
     }
@@ -54,7 +54,7 @@ public class MachineAlarmTests
         Assert.Contains("cable", alarm.ToDo, StringComparison.Ordinal);
         Assert.Contains("CNCCONNECT", alarm.ToDo, StringComparison.Ordinal);
 
-        MachineAlarms.Seen(log, new MachineReading(default, default, Moves: false, MotorsOff: ""), MachineAxes.Default, Link);
+        MachineAlarms.Polled(log, new MachineReading(default, default, IsMoving: false, MotorsOff: ""), MachineAxes.Default, Link);
         Assert.Equal(AlarmState.ClearedUnacknowledged, log.All[0].State);
     }
 
@@ -62,9 +62,9 @@ public class MachineAlarmTests
     public void The_next_start_clears_a_tripped_watchdog_but_not_a_link_that_is_still_lost()
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        MachineAlarms.Ended(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Watchdog }, Link);
-        MachineAlarms.Ended(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Link }, Link);
-        MachineAlarms.Begun(log);
+        MachineAlarms.JobEnded(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Watchdog }, Link);
+        MachineAlarms.JobEnded(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Link }, Link);
+        MachineAlarms.JobStarted(log);
 
         Assert.Equal([AlarmState.ClearedUnacknowledged, AlarmState.Unacknowledged], log.All.Select(alarm => alarm.State));
     }
@@ -77,9 +77,9 @@ public class MachineAlarmTests
     public void What_ended_a_job_and_its_end_are_one_alarm(string limit, bool abort, string lost, AlarmCause cause)
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = limit, AbortInput = abort, LostPosition = lost };
+        var poll = new MachineReading(default, default, IsMoving: false, MotorsOff: "") { Limit = limit, AbortInput = abort, LostPosition = lost };
 
-        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Refused) with { Sentence = "The job stands in stroke 2.", SegmentsExecuted = 3 });
+        MachineAlarms.Polled(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Refused) with { Message = "The job stands in stroke 2.", SegmentsExecuted = 3 });
 
         var alarm = Assert.Single(log.All);
         Assert.Equal((cause, $"{Link}, after 3 segments"), (alarm.Cause, alarm.Where));
@@ -90,9 +90,9 @@ public class MachineAlarmTests
     public void A_limit_that_stood_before_did_not_end_the_job()
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = "the forward limit of axis A" };
-        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link);
-        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Stopped));
+        var poll = new MachineReading(default, default, IsMoving: false, MotorsOff: "") { Limit = "the forward limit of axis A" };
+        MachineAlarms.Polled(log, poll, MachineAxes.Default, Link);
+        MachineAlarms.Polled(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Stopped));
         Assert.Equal([AlarmCause.Limit, AlarmCause.JobStopped], log.All.Select(alarm => alarm.Cause));
     }
 
@@ -104,13 +104,13 @@ public class MachineAlarmTests
     {
         using var model = new MachineStatusModel(new ManualTimeProvider(), () => { });
         model.Connected(Link, isSimulation: false, new MachineIdentity("DMC2143", 4));
-        model.JobEnds(Result(JobOutcome.LinkLost) with { Loss = loss });
-        model.Lost(new ControllerLinkException("Nobody answers."));
+        model.JobEnded(Result(JobOutcome.LinkLost) with { Loss = loss });
+        model.LinkLost(new ControllerLinkException("Nobody answers."));
         Assert.Equal((cause, 1), (Assert.Single(model.Alarms.All).Cause, model.Alarms.All[0].Count));
 
-        model.Seen(new MachineReading(default, default, Moves: false, MotorsOff: ""));
+        model.Polled(new MachineReading(default, default, IsMoving: false, MotorsOff: ""));
         model.Alarms.AcknowledgeAll();
-        model.Lost(new ControllerLinkException("Nobody answers."));
+        model.LinkLost(new ControllerLinkException("Nobody answers."));
         Assert.Equal(AlarmCause.LinkLost, Assert.Single(model.Alarms.All, alarm => alarm.IsActive && alarm.NeedsAcknowledging).Cause);
     }
 

@@ -61,7 +61,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stop_from_another_thread_stops_at_once_although_the_caller_of_the_job_is_blocked()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowSimulator.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
 
@@ -79,7 +79,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stopping_is_told_from_the_press_to_the_standstill()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowSimulator.Address), _limit.Token);
         var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // It decelerates for a second.
         var running = RunAsync(machine, JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Build(), slow, MotionStyle.Continuous));
         await SeenAsync(machine, status => status is { State: MachineState.Running, WorkPosition.X: > 5.0 });
@@ -95,7 +95,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Abort_in_a_job_ends_it_with_the_motors_off()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowSimulator.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         Assert.True(machine.Controls.Abort());
@@ -145,8 +145,8 @@ public sealed class MachineJobTests : IDisposable
     [Fact]
     public async Task A_machine_with_an_alarm_starts_again_and_acknowledging_is_not_what_resets_it()
     {
-        await using var talk = new CommandTalk();
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
+        await using var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
         talk.Session.Machine.Alarms.Raise(AlarmCause.JobStopped, "It stopped.", "there", "Look.");
         await talk.TypeAsync("ALARMS", "?");
         Assert.Contains("1 ", talk.Said, StringComparison.Ordinal);
@@ -197,7 +197,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task While_a_job_runs_no_other_motion_begins_and_the_job_goes_on()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowSimulator.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         var journal = Path.Combine(_folder.FullName, "hand.jsonl");
@@ -217,7 +217,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task A_terminal_line_typed_while_a_job_runs_is_withheld()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowSimulator.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         var answer = Assert.Single(await machine.Connection.Terminal.TypeAsync("MG 1", _limit.Token));

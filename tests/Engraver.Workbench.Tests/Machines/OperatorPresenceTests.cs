@@ -15,12 +15,12 @@ public sealed class OperatorPresenceTests : IDisposable
     public async Task A_jog_of_which_no_sign_is_heard_is_braked_and_one_with_signs_goes_on(bool staysReady)
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        using var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(600, 0));
+        using var jog = bench.Machine.Hand.Presence.BeginJog(new JogVelocity(600, 0));
         var jogging = await JoggingAsync(bench, jog, staysReady);
 
         for (var beat = 0; beat < 40; beat++)
         {
-            bench.Time.Advance(OperatorPresence.Beat);
+            bench.Time.Advance(OperatorPresence.SignInterval);
             bench.Machine.Hand.Presence.Sign();
         }
 
@@ -29,7 +29,7 @@ public sealed class OperatorPresenceTests : IDisposable
         bench.Time.Advance(TimeSpan.FromMilliseconds(20));
 
         Assert.True(jog.IsReleased);
-        Assert.True(await jog.Lost);
+        Assert.True(await jog.Abandoned);
         Assert.Equal(JobOutcome.Complete, (await jogging.WaitAsync(bench.Limit)).Outcome);
         await bench.Controller.WaitUntilAsync(status => !status.IsMoving, bench.Limit);
     }
@@ -38,19 +38,19 @@ public sealed class OperatorPresenceTests : IDisposable
     public async Task An_operator_who_leaves_releases_every_jog_at_once_and_a_released_jog_is_not_lost()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        using var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(0, -600));
+        using var jog = bench.Machine.Hand.Presence.BeginJog(new JogVelocity(0, -600));
         var jogging = await JoggingAsync(bench, jog, staysReady: false);
 
-        bench.Machine.Hand.Presence.Leave();
+        bench.Machine.Hand.Presence.ReleaseAll();
 
         Assert.True(jog.IsReleased);
-        Assert.False(await jog.Lost);
+        Assert.False(await jog.Abandoned);
         Assert.Equal(JobOutcome.Complete, (await jogging.WaitAsync(bench.Limit)).Outcome);
-        using var other = bench.Machine.Hand.Presence.Begin(new JogVelocity(0, 600));
+        using var other = bench.Machine.Hand.Presence.BeginJog(new JogVelocity(0, 600));
         other.Release();
-        bench.Machine.Hand.Presence.Leave();
+        bench.Machine.Hand.Presence.ReleaseAll();
         bench.Time.Advance(TimeSpan.FromSeconds(2));
-        Assert.False(other.Lost.IsCompleted);
+        Assert.False(other.Abandoned.IsCompleted);
     }
 
     /// <summary>Also before the machine moves: a waiting jog does not start after the operator has left.</summary>
@@ -60,7 +60,7 @@ public sealed class OperatorPresenceTests : IDisposable
         await using var bench = await MachineBench.ConnectedAsync();
         var told = new List<bool>();
         bench.Machine.Changed += (_, _) => told.Add(bench.Machine.Hand.Presence.IsNeeded);
-        using (var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(600, 0)))
+        using (var jog = bench.Machine.Hand.Presence.BeginJog(new JogVelocity(600, 0)))
         {
             Assert.True(bench.Machine.Hand.Presence.IsNeeded);
             bench.Time.Advance(TimeSpan.FromMilliseconds(350));
@@ -78,22 +78,22 @@ public sealed class OperatorPresenceTests : IDisposable
     [Fact]
     public async Task When_this_program_was_held_up_as_a_whole_the_sign_behind_it_counts()
     {
-        var time = new LumpyTime();
+        var time = new SteppedTimeProvider();
         var presence = new OperatorPresence(time, () => { });
-        using var jog = presence.Begin(new JogVelocity(600, 0));
+        using var jog = presence.BeginJog(new JogVelocity(600, 0));
 
-        time.Pass(TimeSpan.FromSeconds(1));
+        time.Advance(TimeSpan.FromSeconds(1));
         presence.Sign();
-        time.Pass(OperatorPresence.Beat);
+        time.Advance(OperatorPresence.SignInterval);
         Assert.False(jog.IsReleased);
-        for (var look = 0; look < 6; look++) time.Pass(OperatorPresence.Beat);
-        Assert.True(await jog.Lost.WaitAsync(TimeSpan.FromSeconds(60)));
+        for (var look = 0; look < 6; look++) time.Advance(OperatorPresence.SignInterval);
+        Assert.True(await jog.Abandoned.WaitAsync(TimeSpan.FromSeconds(60)));
     }
 
     public void Dispose() => _folder.Delete(recursive: true);
 
     /// <returns>Time at which it moves.</returns>
-    private async Task<Task<JobResult>> JoggingAsync(MachineBench bench, HeldJog jog, bool staysReady)
+    private async Task<Task<JobResult>> JoggingAsync(MachineBench bench, ContinuousJog jog, bool staysReady)
     {
         var journal = Path.Combine(_folder.FullName, "jog.jsonl");
         var jogging = staysReady ? bench.Machine.ReadyJogs.JogAsync(jog, journal) : bench.Machine.Hand.JogAsync(jog, journal, bench.Limit);
@@ -102,7 +102,7 @@ public sealed class OperatorPresenceTests : IDisposable
     }
 
     /// <summary>A clock whose single timer fires once, regardless of its delay.</summary>
-    private sealed class LumpyTime : TimeProvider
+    private sealed class SteppedTimeProvider : TimeProvider
     {
         private TimerCallback _callback = _ => { };
         private long _now;
@@ -117,7 +117,7 @@ public sealed class OperatorPresenceTests : IDisposable
             return new Timer(_ => { }, null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
         }
 
-        public void Pass(TimeSpan time)
+        public void Advance(TimeSpan time)
         {
             _now += time.Ticks;
             _callback(null);

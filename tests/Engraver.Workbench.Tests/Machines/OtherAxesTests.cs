@@ -55,7 +55,7 @@ public sealed class OtherAxesTests : IDisposable
         var report = await RunAsync(On('A', 'E'), JobMode.Stream);
 
         Assert.Equal((JobOutcome.Refused, 0), (report.Result.Outcome, report.Result.SegmentsExecuted));
-        Assert.Contains("uses axes that this controller (ABCD) does not have: E", report.Result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("uses axes that this controller (ABCD) does not have: E", report.Result.Message, StringComparison.Ordinal);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);

@@ -255,7 +255,7 @@ public class PlannedMotionTests
 
     private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
     {
-        var drawing = DrawingFile.Open(CommandTalk.Sample(sample), new DrawingSettings(), CancellationToken.None);
+        var drawing = DrawingFile.Open(CommandTestSession.Sample(sample), new DrawingSettings(), CancellationToken.None);
         var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, JobMode.Stream.Strategy(), CancellationToken.None);
         return (derived.Job!, derived.Motion!);
     }

@@ -14,7 +14,7 @@ public class ProgramReceiverTests
     {
         var time = new ManualTimeProvider();
         var receiver = new ProgramReceiver(CharacterFrame.EightNone);
-        var listening = receiver.ListenAsync(new MemoryLine(time), s_silence, progress: null, time, CancellationToken.None);
+        var listening = receiver.ListenAsync(new MemoryPort(time), s_silence, progress: null, time, CancellationToken.None);
         time.Advance(s_silence - TimeSpan.FromMilliseconds(1));
         Assert.False(listening.IsCompleted);
         time.Advance(TimeSpan.FromMilliseconds(1));
@@ -30,13 +30,13 @@ public class ProgramReceiverTests
     public async Task Every_character_begins_the_silence_anew(string said)
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time);
+        var line = new MemoryPort(time);
         var receiver = new ProgramReceiver(CharacterFrame.EightNone);
-        using var heard = new Heard { WhenTold = () => time.Advance(s_silence - TimeSpan.FromMilliseconds(1)) };
+        using var heard = new LineProgress { WhenTold = () => time.Advance(s_silence - TimeSpan.FromMilliseconds(1)) };
         var listening = receiver.ListenAsync(line, s_silence, heard, time, CancellationToken.None);
         for (var i = 0; i < 3; i++)
         {
-            line.Say((byte)said[0]);
+            line.Receive((byte)said[0]);
             await heard.NextAsync();
         }
 
@@ -50,18 +50,18 @@ public class ProgramReceiverTests
     public async Task A_program_that_the_operator_stopped_is_not_called_whole()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time);
+        var line = new MemoryPort(time);
         using var stop = new CancellationTokenSource();
-        using var heard = new Heard();
+        using var heard = new LineProgress();
         var listening = new ProgramReceiver(CharacterFrame.EightNone).ListenAsync(line, s_silence, heard, time, stop.Token);
-        line.Say((byte)'G');
+        line.Receive((byte)'G');
         await heard.NextAsync();
         await stop.CancelAsync();
 
         Assert.False(await listening.WaitAsync(TimeSpan.FromSeconds(60)));
     }
 
-    private sealed class Heard : IProgress<int>, IDisposable
+    private sealed class LineProgress : IProgress<int>, IDisposable
     {
         private readonly SemaphoreSlim _pieces = new(0);
 

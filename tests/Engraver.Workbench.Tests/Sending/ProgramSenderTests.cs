@@ -17,34 +17,34 @@ public class ProgramSenderTests
     public async Task Nothing_is_sent_faster_than_the_line_carries_it_with_its_pauses()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time);
+        var line = new MemoryPort(time);
         var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(10)) { LineDelay = TimeSpan.FromMilliseconds(500) };
         var result = await FinishAsync(ProgramSender.SendAsync(line, Job(4, 30), pace, null, time, CancellationToken.None), time);
 
         Assert.Equal((SendOutcome.Complete, 4, 128), (result.Outcome, result.Lines, result.Characters));
         Assert.True(line.WasDrained);
         Assert.InRange(result.Seconds, (128 * 0.010) + (4 * 0.5) - 1e-6, 30.0);
-        for (var i = 0; i < line.Heard.Count; i++) Assert.True(line.Heard[i].At >= TimeSpan.FromMilliseconds(((i - (i % 32)) * 10) + (i / 32 * 500)), $"character {i}");
+        for (var i = 0; i < line.Written.Count; i++) Assert.True(line.Written[i].At >= TimeSpan.FromMilliseconds(((i - (i % 32)) * 10) + (i / 32 * 500)), $"character {i}");
     }
 
     [Fact]
     public async Task With_a_pause_behind_each_character_every_one_goes_out_alone()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time);
+        var line = new MemoryPort(time);
         var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(10)) { CharacterDelay = TimeSpan.FromMilliseconds(40) };
         await FinishAsync(ProgramSender.SendAsync(line, Job(2, 8), pace, null, time, CancellationToken.None), time);
 
         // A late timer on a busy computer is compensated by at most 5 ms.
-        Assert.Equal(20, line.Heard.Count);
-        for (var i = 1; i < line.Heard.Count; i++) Assert.True(line.Heard[i].At - line.Heard[i - 1].At >= TimeSpan.FromMilliseconds(45), $"character {i}");
+        Assert.Equal(20, line.Written.Count);
+        for (var i = 1; i < line.Written.Count; i++) Assert.True(line.Written[i].At - line.Written[i - 1].At >= TimeSpan.FromMilliseconds(45), $"character {i}");
     }
 
     [Fact]
     public async Task XOFF_is_obeyed_within_a_few_characters_until_XON_is_heard()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time) { Answer = (100, CharacterFrame.SevenOdd.Encode(Xoff)) };
+        var line = new MemoryPort(time) { Answer = (100, CharacterFrame.SevenOdd.Encode(Xoff)) };
         var pace = new SendPace(CharacterFrame.SevenOdd, TimeSpan.FromMilliseconds(1));
         var sending = ProgramSender.SendAsync(line, Job(20, 20), pace, null, time, CancellationToken.None);
         while (line.Answer is not null) await PassAsync(time);
@@ -55,20 +55,20 @@ public class ProgramSenderTests
         Assert.Equal(sent, line.Count);
         Assert.False(sending.IsCompleted);
 
-        line.Say(CharacterFrame.SevenOdd.Encode(Xon));
+        line.Receive(CharacterFrame.SevenOdd.Encode(Xon));
         var result = await FinishAsync(sending, time);
-        Assert.Equal((SendOutcome.Complete, 20, 1, 0L), (result.Outcome, result.Lines, result.Holds, result.Heard));
+        Assert.Equal((SendOutcome.Complete, 20, 1, 0L), (result.Outcome, result.Lines, result.Pauses, result.ReceivedBytes));
     }
 
     [Fact]
     public async Task A_hold_that_does_not_end_is_told_with_the_lines_that_are_out()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time) { Answer = (100, Xoff) };
-        var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(1)) { LongestHold = TimeSpan.FromSeconds(5) };
+        var line = new MemoryPort(time) { Answer = (100, Xoff) };
+        var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(1)) { MaxPause = TimeSpan.FromSeconds(5) };
         var result = await FinishAsync(ProgramSender.SendAsync(line, Job(20, 20), pace, null, time, CancellationToken.None), time);
 
-        Assert.Equal((SendOutcome.HeldTooLong, 4, 20, 1), (result.Outcome, result.Lines, result.AllLines, result.Holds));
+        Assert.Equal((SendOutcome.PausedTooLong, 4, 20, 1), (result.Outcome, result.Lines, result.TotalLines, result.Pauses));
         Assert.Equal("Sending failed: the receiver sent XOFF and did not send XON within 5 s. 4 of 20 lines were sent.", SendWording.Of(result));
         Assert.False(line.WasDrained);
     }
@@ -77,10 +77,10 @@ public class ProgramSenderTests
     public async Task Without_flow_control_XOFF_is_a_character_like_others()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time) { Answer = (100, Xoff) };
+        var line = new MemoryPort(time) { Answer = (100, Xoff) };
         var result = await FinishAsync(ProgramSender.SendAsync(line, Job(20, 20), new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(1)) { ObeysXoff = false }, null, time, CancellationToken.None), time);
 
-        Assert.Equal((SendOutcome.Complete, 20, 0), (result.Outcome, result.Lines, result.Holds));
+        Assert.Equal((SendOutcome.Complete, 20, 0), (result.Outcome, result.Lines, result.Pauses));
     }
 
     [Fact]
@@ -88,13 +88,13 @@ public class ProgramSenderTests
     {
         var time = new ManualTimeProvider();
         using var stop = new CancellationTokenSource();
-        var line = new MemoryLine(time) { Answer = (100, Xoff) };
+        var line = new MemoryPort(time) { Answer = (100, Xoff) };
         var sending = ProgramSender.SendAsync(line, Job(20, 20), new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(1)), null, time, stop.Token);
         while (line.Answer is not null) await PassAsync(time);
         await stop.CancelAsync();
         var result = await FinishAsync(sending, time);
 
-        Assert.Equal((SendOutcome.Stopped, 4, 20), (result.Outcome, result.Lines, result.AllLines));
+        Assert.Equal((SendOutcome.Stopped, 4, 20), (result.Outcome, result.Lines, result.TotalLines));
         Assert.Equal("Stopped: 4 of 20 lines were sent.", SendWording.Of(result));
     }
 
@@ -102,7 +102,7 @@ public class ProgramSenderTests
     public async Task A_line_that_goes_is_told_with_the_lines_that_are_out()
     {
         var time = new ManualTimeProvider();
-        var line = new MemoryLine(time) { BreaksAt = 50 };
+        var line = new MemoryPort(time) { BreaksAt = 50 };
         var result = await FinishAsync(ProgramSender.SendAsync(line, Job(20, 20), new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(1)), null, time, CancellationToken.None), time);
 
         Assert.Equal((SendOutcome.LinkLost, 2, "the cable was pulled"), (result.Outcome, result.Lines, result.Reason));
@@ -119,13 +119,13 @@ public class ProgramSenderTests
         var lines = SendText.Lines(Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(1, 150).Select(i => $"\t{i:000}\t01\t000\t+{i * 37:000000}\n"))));
         var job = SendText.Encode(lines, new SendFormat { LeaderNuls = 20, TrailerNuls = 20, Start = "%\r\n" }, frame).Job!;
         var receiver = new ProgramReceiver(frame);
-        await using var line = ProgramLine.Open(address, s_patience, TimeProvider.System);
+        await using var line = SerialProgramPort.Open(address, s_patience, TimeProvider.System);
         var hearing = Task.Run(() => Hear(cable, receiver, job.Length, frame, new Random(seed)));
         var result = await ProgramSender.SendAsync(line, job, new SendPace(frame, address.CharacterTime), null, TimeProvider.System, CancellationToken.None).WaitAsync(s_patience);
         await hearing.WaitAsync(s_patience);
 
         Assert.Equal((SendOutcome.Complete, 150, job.Length), (result.Outcome, result.Lines, result.Characters));
-        Assert.True(result.Holds > 2);
+        Assert.True(result.Pauses > 2);
         Assert.Equal((0, "%\r\n" + string.Concat(lines.Select(one => Encoding.ASCII.GetString(one.Span) + "\r\n"))), (receiver.Damaged, Encoding.ASCII.GetString([.. receiver.Characters])));
     }
 
@@ -134,10 +134,10 @@ public class ProgramSenderTests
     {
         var cable = new PseudoTerminalPair();
         var address = new SendAddress(cable.Device, 115200, CharacterFrame.EightNone, Engraver.Core.Machines.SerialFlow.XonXoff);
-        await using var line = ProgramLine.Open(address, s_patience, TimeProvider.System);
+        await using var line = SerialProgramPort.Open(address, s_patience, TimeProvider.System);
         var pulling = Task.Run(() =>
         {
-            cable.Hear(400);
+            cable.Read(400);
             cable.Dispose();
         });
         var result = await ProgramSender.SendAsync(line, Job(2000, 30), new SendPace(CharacterFrame.EightNone, address.CharacterTime), null, TimeProvider.System, CancellationToken.None).WaitAsync(s_patience);
@@ -155,8 +155,8 @@ public class ProgramSenderTests
         byte[] bits = [.. "\0G1\r\nG2\r\nG3\r\n"u8.ToArray().Select(character => CharacterFrame.SevenEven.Encode(character))];
         bits[5 + 1] ^= 0x80;
         bits[9] ^= 0x80;
-        receiver.Take(bits.AsSpan(0, 7));
-        receiver.Take(bits.AsSpan(7));
+        receiver.Add(bits.AsSpan(0, 7));
+        receiver.Add(bits.AsSpan(7));
 
         Assert.Equal((2, 2, 3, "G1\r\nG2\r\nG3\r\n"), (receiver.Damaged, receiver.FirstDamagedLine, receiver.Lines, Encoding.ASCII.GetString([.. receiver.Characters])));
     }
@@ -167,12 +167,12 @@ public class ProgramSenderTests
     {
         for (var heard = 0L; heard < all;)
         {
-            var some = cable.HearSome(1 + random.Next(60));
+            var some = cable.ReadSome(1 + random.Next(60));
             heard += some.Length;
-            receiver.Take(Encoding.Latin1.GetBytes(some));
+            receiver.Add(Encoding.Latin1.GetBytes(some));
             if (random.Next(4) != 0) continue;
-            cable.Say(((char)frame.Encode(Xoff)).ToString());
-            cable.Say(((char)frame.Encode(Xon)).ToString());
+            cable.Write(((char)frame.Encode(Xoff)).ToString());
+            cable.Write(((char)frame.Encode(Xon)).ToString());
         }
     }
 

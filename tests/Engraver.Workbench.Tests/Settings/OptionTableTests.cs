@@ -11,7 +11,7 @@ public sealed class OptionTableTests
     [Fact]
     public async Task Every_setting_and_every_system_variable_stands_on_one_page()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var entries = OptionTable.Of(talk.Session);
 
         Assert.Equal(entries.Count, entries.Select(entry => entry.Key).Distinct().Count());
@@ -27,12 +27,12 @@ public sealed class OptionTableTests
     [Fact]
     public async Task Every_value_that_is_shown_is_taken_by_the_command_of_its_setting()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var entries = OptionTable.Of(talk.Session);
         var shown = entries.ToDictionary(entry => entry.Key, entry => entry.Value);
         foreach (var entry in entries.Where(entry => entry.Value.Length > 0))
         {
-            Assert.Null(entry.WhyNot(entry.Value));
+            Assert.Null(entry.RefusalOf(entry.Value));
             var result = await talk.TypeAsync([.. OptionTable.InputsFor(entry, shown)]);
             Assert.True(result is InputResult.Done, $"{entry.Key} {entry.Value}: {result}");
         }
@@ -43,14 +43,14 @@ public sealed class OptionTableTests
     [Fact]
     public async Task A_wrong_value_is_refused_in_the_words_of_the_command()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         foreach (var entry in OptionTable.Of(talk.Session).Where(entry => entry.Choices.Count == 0 && entry.Command != "KERF"))
         {
             foreach (var typed in new[] { "x", "1e300" })
             {
                 await talk.TypeAsync(entry.Command);
-                var refused = Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync(typed));
-                Assert.Equal(refused.Sentence, entry.WhyNot(typed));
+                var refused = Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync(typed));
+                Assert.Equal(refused.Message, entry.RefusalOf(typed));
                 await talk.Session.CancelAsync();
             }
         }

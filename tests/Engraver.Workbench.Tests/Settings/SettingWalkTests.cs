@@ -47,14 +47,14 @@ public sealed class SettingWalkTests
     public async Task Each_setting_with_a_page_is_on_OPTIONS_and_changed_there(string key)
     {
         var setting = SettingTable.Find(key)!;
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var entries = OptionTable.Of(talk.Session).Where(entry => entry.Key == key).ToList();
         Assert.Equal(setting.Page is null ? [] : [setting.Page.ToString()!], entries.Select(entry => entry.Page));
         if (setting.Page is null || setting.HasOwnCommand) return;
 
         var input = setting.ToInput(Another(setting));
         var shown = OptionTable.Of(talk.Session).ToDictionary(entry => entry.Key, entry => entry.Key == key ? input : entry.Value);
-        Assert.Null(entries[0].WhyNot(input));
+        Assert.Null(entries[0].RefusalOf(input));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. OptionTable.InputsFor(entries[0], shown)]));
         Assert.Equal(input, setting.ToInput(talk.State.Settings));
         Assert.Equal(input, OptionTable.Of(talk.Session).Single(entry => entry.Key == key).Value);
@@ -67,12 +67,12 @@ public sealed class SettingWalkTests
         var setting = SettingTable.Find(key)!;
         foreach (var settings in new[] { DrawingSettings.Default, Another(setting) })
         {
-            var words = SettingWords.Of(settings);
-            var back = SettingWords.Read(words, settings.Machine);
+            var words = SettingValues.Of(settings);
+            var back = SettingValues.Read(words, settings.Machine);
 
             Assert.Equal(setting.ToWord(settings), words.GetValueOrDefault(key));
             Assert.Equal(setting.ToInput(settings), setting.ToInput(back));
-            Assert.Equal(words, SettingWords.Of(back));
+            Assert.Equal(words, SettingValues.Of(back));
         }
     }
 

@@ -48,9 +48,9 @@ public class SettingWordingTests
     [Fact]
     public async Task A_finding_in_the_command_window_and_in_the_derived_document_says_CNCJOINTOL()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var drawing = new TestKit.DrawingBuilder().Line(0, 0, 10, 0).Line(10.25, 0, 90, 0).Build();
-        talk.Session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = drawing });
+        talk.Session.Document.Commit("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = drawing });
         await talk.TypeAsync("CHECK");
         var derived = Engraver.Workbench.Documents.DerivedDocument.Create(talk.State, JobMode.Stream.Strategy(), CancellationToken.None);
 

@@ -88,7 +88,7 @@ public sealed class SettingsFileTests : IDisposable
         var environment = new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, SettingsFile = File };
         await using (var first = new CommandSession(environment, CommandCatalog.Built()))
         {
-            foreach (var input in new[] { "OPEN", Commands.CommandTalk.Sample("gasket.dxf"), "THEME", "Light", "GRID", "OFF", "CURSORSIZE", "20", "CNCCONNECT", "sim:" }) await first.EnterAsync(input, CancellationToken.None);
+            foreach (var input in new[] { "OPEN", Commands.CommandTestSession.Sample("gasket.dxf"), "THEME", "Light", "GRID", "OFF", "CURSORSIZE", "20", "CNCCONNECT", "sim:" }) await first.EnterAsync(input, CancellationToken.None);
         }
 
         await using var second = new CommandSession(environment, CommandCatalog.Built());

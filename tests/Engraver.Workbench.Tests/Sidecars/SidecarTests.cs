@@ -185,9 +185,9 @@ public class SidecarTests
         $"{one.Name} {one.MaxErrorMm:R} {one.SegmentLengthMm:R} {string.Join(',', one.Handles)} {one.Curve.Closed} {one.Curve.Z:R} {one.Curve.VerifiedBound:R} {one.Curve.SampledError:R} {one.Curve.SpacingRatio:R} {one.Curve.Length:R} {string.Join(';', one.Curve.Lines)} {string.Join(';', one.Curve.Knots)} {string.Join(';', one.Curve.Heights ?? [])}");
 
     /// <summary>A session with part.dxf open: a line, an arc, a circle, a square, an ellipse.</summary>
-    private static async Task<CommandTalk> WithFileAsync(string? sidecar = null)
+    private static async Task<CommandTestSession> WithFileAsync(string? sidecar = null)
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         var file = new DxfText().Header("AC1015", 4).Section(
             "ENTITIES",
             (0, "LINE"), (5, "A1"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0),

@@ -40,7 +40,7 @@ public class StageSettingsTests
         [SettingTable.MaxError] = settings => settings with { MaxErrorMm = settings.MaxErrorMm > 0.01 ? 0.0001 : 0.05 },
         [SettingTable.Start] = settings => settings with { Start = new Point2D(30_000, 4) },
         [SettingTable.Finish] = settings => settings with { Finish = FinishPlace.Stay },
-        [SettingTable.Enter] = settings => settings with { Enter = new EnteringPlace.ByPoint(new Point2D(40, 0)) },
+        [SettingTable.Enter] = settings => settings with { Enter = new EntryPoint.ByPoint(new Point2D(40, 0)) },
         [SettingTable.Order] = settings => settings with { Order = StrokeOrder.Drawn },
         [SettingTable.KeepDuplicates] = settings => settings with { KeepDuplicates = true },
         [SettingTable.RecoverArcs] = settings => settings with { RecoverArcs = !settings.RecoverArcs },

@@ -78,7 +78,7 @@ public class ProgramVerificationTests
     public async Task A_verification_under_way_is_stopped()
     {
         using var stop = new CancellationTokenSource();
-        var progress = new StopsAtOnce(stop);
+        var progress = new StopOnProgress(stop);
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() =>
             ProgramVerification.VerifyAsync(ReadBackFile.FromText(Post("nameplate", MotionStyle.Continuous)), new DmcReader(), Open("nameplate"), new DrawingSettings(), progress, stop.Token));
@@ -89,7 +89,7 @@ public class ProgramVerificationTests
     [Fact]
     public async Task The_last_report_is_the_end_of_the_program()
     {
-        var progress = new KeepsTheLast();
+        var progress = new LastProgress();
 
         await ProgramVerification.VerifyAsync(ReadBackFile.FromText(Post("paper-001", MotionStyle.Continuous)), new DmcReader(), Open("paper-001"), new DrawingSettings(), progress, CancellationToken.None);
 
@@ -281,14 +281,14 @@ public class ProgramVerificationTests
 
     private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
 
-    private sealed class KeepsTheLast : IProgress<ReplayProgress>
+    private sealed class LastProgress : IProgress<ReplayProgress>
     {
         public ReplayProgress Value { get; private set; }
 
         public void Report(ReplayProgress value) => Value = value;
     }
 
-    private sealed class StopsAtOnce(CancellationTokenSource stop) : IProgress<ReplayProgress>
+    private sealed class StopOnProgress(CancellationTokenSource stop) : IProgress<ReplayProgress>
     {
         public int Reports { get; private set; }
 

@@ -34,7 +34,7 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
     }
 
     public Task<VerificationReport> VerifyAsync(string text) => ProgramVerification.VerifyAsync(
-        ReadBackFile.FromText(text), Target.EndsWith(" grbl", StringComparison.Ordinal) ? Entry.Dialects["grbl"] : Entry.Reader!, Drawing, Settings, progress: null, CancellationToken.None, PostedWith.Parse(name => name == "origin" && Options.GetValueOrDefault(name) == "here" ? null : Options.GetValueOrDefault(name)));
+        ReadBackFile.FromText(text), Target.EndsWith(" grbl", StringComparison.Ordinal) ? Entry.Dialects["grbl"] : Entry.Reader!, Drawing, Settings, progress: null, CancellationToken.None, PostParameters.Parse(name => name == "origin" && Options.GetValueOrDefault(name) == "here" ? null : Options.GetValueOrDefault(name)));
 
     public override string ToString()
     {

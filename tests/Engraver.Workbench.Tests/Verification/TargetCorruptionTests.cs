@@ -37,7 +37,7 @@ public sealed class TargetCorruptionTests : IDisposable
         var text = PostedProgram.Create(drawing, new DrawingSettings(), entry.Post, options).Text!;
         var drawn = JobPreparation.Analyse(drawing, new DrawingSettings()).ToSegments();
         Assert.True((await VerifyAsync(drawing, text, reader)).Ok);
-        var acts = ProgramActs.Of(text, target)!;
+        var acts = ProgramActions.Of(text, target)!;
         Assert.Equal(target != "cldata", acts.Count > 0);
         Assert.True(DoesNoHarm(text, target, drawn, reader, acts));
         for (var number = 0; number < CasesOf(target); number++)
@@ -45,7 +45,7 @@ public sealed class TargetCorruptionTests : IDisposable
             var bad = Corruption.Of(random, text, number);
             var report = await VerifyAsync(drawing, bad, reader);
             Assert.Equal(report.Ok, report.Diagnostics.Count == 0 && report.ExtraLengthMm == 0.0);
-            if (report.Ok && bad != text) Assert.True(DoesNoHarm(bad, target, drawn, reader, acts), $"corruption {number} of {target} was not noticed: {Difference(text, bad)}; {ProgramActs.FirstOther(acts, ProgramActs.Of(bad, target))}");
+            if (report.Ok && bad != text) Assert.True(DoesNoHarm(bad, target, drawn, reader, acts), $"corruption {number} of {target} was not noticed: {Difference(text, bad)}; {ProgramActions.FirstOther(acts, ProgramActions.Of(bad, target))}");
         }
     }
 
@@ -66,7 +66,7 @@ public sealed class TargetCorruptionTests : IDisposable
             _ => TrajectoryLines.Cuts(text, target),
         };
         var allowed = Math.Max(0.0036, reader.Rounding + 0.0011);
-        if (!ProgramActs.AreSame(acts, ProgramActs.Of(text, target))) return false;
+        if (!ProgramActions.AreSame(acts, ProgramActions.Of(text, target))) return false;
         return cuts is { Count: > 0 } && TabProgram.Farthest(cuts, drawn, 0.1) <= allowed && TabProgram.Farthest(drawn, cuts, 0.05) <= allowed + 0.002;
     }
 

@@ -82,7 +82,7 @@ public class TargetTermsTests
     public async Task What_was_chosen_for_the_post_must_be_said_and_is_then_held_against_the_program(string target, string option, string value)
     {
         var text = PostedProgram.Create(Plate(), new DrawingSettings(), PostTable.Find(target).Post, new Dictionary<string, string> { [option] = value }).Text!;
-        var said = PostedWith.Parse(name => name == option ? value : null);
+        var said = PostParameters.Parse(name => name == option ? value : null);
 
         Assert.True((await VerifyAsync(Plate(), new DrawingSettings(), target, text, said)).Ok);
         Assert.Equal("VER0013", Assert.Single((await VerifyAsync(Plate(), new DrawingSettings(), target, text)).Diagnostics).Id);
@@ -99,7 +99,7 @@ public class TargetTermsTests
         ? PostedProgram.Create(drawing, settings, PostTable.Find("gcode").Post, new Dictionary<string, string> { ["dialect"] = "grbl" }).Text!
         : PostedProgram.Create(drawing, settings, PostTable.Find(target).Post, PostedProgram.NoOptions).Text!;
 
-    private static Task<VerificationReport> VerifyAsync(Drawing drawing, DrawingSettings settings, string target, string text, PostedWith? posted = null) => ProgramVerification.VerifyAsync(
+    private static Task<VerificationReport> VerifyAsync(Drawing drawing, DrawingSettings settings, string target, string text, PostParameters? posted = null) => ProgramVerification.VerifyAsync(
         ReadBackFile.FromText(text), target == "grbl" ? PostTable.Find("gcode").Dialects["grbl"] : PostTable.Find(target).Reader!, drawing, settings, progress: null, CancellationToken.None, posted);
 
     private static Drawing Plate() => new DrawingBuilder().Line(0, 0, 20, 0).Line(20, 0, 20, 10).Line(20, 10, 0, 10).Line(0, 10, 0, 0).Circle(10, 5, 3).Build();

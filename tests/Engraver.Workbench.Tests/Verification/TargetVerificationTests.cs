@@ -131,7 +131,7 @@ public class TargetVerificationTests
     {
         var (drawing, settings, entry) = (Plate(), new DrawingSettings(), PostTable.Find("gcode"));
         var text = PostedProgram.Create(drawing, settings, entry.Post, new Dictionary<string, string> { ["blend"] = written }).Text!;
-        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), entry.Reader!, drawing, settings, progress: null, CancellationToken.None, new PostedWith { BlendMm = allowed });
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), entry.Reader!, drawing, settings, progress: null, CancellationToken.None, new PostParameters { BlendMm = allowed });
 
         Assert.Equal(finding, string.Join(' ', report.Diagnostics.Select(found => found.Id)));
         Assert.Equal((finding.Length == 0, blend), (report.Ok, report.BlendMm));

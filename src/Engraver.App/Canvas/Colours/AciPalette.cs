@@ -43,11 +43,11 @@ public static class AciPalette
 
         uint Channel(double at, double shift)
         {
-            var part = Part((at + shift) % 6.0) * value;
+            var part = RedFraction((at + shift) % 6.0) * value;
             return (uint)(part + ((value - part) * lift));
         }
     }
 
     /// <summary>The fraction of red (0 to 1) at a position on the colour hexagon, in sixths of the circle: 1 around red, 0 around cyan.</summary>
-    private static double Part(double sixths) => Math.Clamp(Math.Abs(sixths - 3.0) - 1.0, 0.0, 1.0);
+    private static double RedFraction(double sixths) => Math.Clamp(Math.Abs(sixths - 3.0) - 1.0, 0.0, 1.0);
 }

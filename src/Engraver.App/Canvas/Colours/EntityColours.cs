@@ -6,8 +6,8 @@ namespace Engraver.App.Canvas.Colours;
 /// drawing (true colours and faded ones). Entities on a locked layer are blended half with the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
 public sealed class EntityColours
 {
-    private const int MostColours = ushort.MaxValue;
-    private const double Fading = 0.5;
+    private const int MaxColours = ushort.MaxValue;
+    private const double FadeFactor = 0.5;
 
     private readonly ushort[] _indices;
     private readonly (DrawingColour Colour, bool IsFaded)[] _others;
@@ -15,7 +15,7 @@ public sealed class EntityColours
     private EntityColours(ushort[] indices, (DrawingColour Colour, bool IsFaded)[] others) => (_indices, _others) = (indices, others);
 
     /// <summary>Everything in the foreground colour.</summary>
-    public static EntityColours White { get; } = new([], []);
+    public static EntityColours AllForeground { get; } = new([], []);
 
     /// <summary>Palette index of an entity; an entity beyond the last known one has the foreground colour.</summary>
     public ushort this[int entity] => entity < _indices.Length ? _indices[entity] : (ushort)AciPalette.Foreground;
@@ -41,11 +41,11 @@ public sealed class EntityColours
 
     /// <summary>The colour of an entity on a background, 0xAARRGGBB.</summary>
     /// <param name="isFaded">Whether the entity is on a locked layer.</param>
-    public static uint On(CanvasTheme theme, DrawingColour colour, bool isFaded)
+    public static uint Resolve(CanvasTheme theme, DrawingColour colour, bool isFaded)
     {
         ArgumentNullException.ThrowIfNull(theme);
         var full = AciPalette.ColourOf(colour, theme.Foreground);
-        return isFaded ? ColourRamp.Mixed(full, theme.Background, Fading) : full;
+        return isFaded ? ColourRamp.Mixed(full, theme.Background, FadeFactor) : full;
     }
 
     /// <summary>The colour of each palette index on a background, 0xAARRGGBB.</summary>
@@ -54,7 +54,7 @@ public sealed class EntityColours
         ArgumentNullException.ThrowIfNull(theme);
         var palette = new uint[AciPalette.Count + _others.Length];
         for (var index = 0; index < AciPalette.Count; index++) palette[index] = AciPalette.ColourOf(index, theme.Foreground);
-        for (var i = 0; i < _others.Length; i++) palette[AciPalette.Count + i] = On(theme, _others[i].Colour, _others[i].IsFaded);
+        for (var i = 0; i < _others.Length; i++) palette[AciPalette.Count + i] = Resolve(theme, _others[i].Colour, _others[i].IsFaded);
         return palette;
     }
 
@@ -62,7 +62,7 @@ public sealed class EntityColours
     {
         if (!isFaded && colour.Rgb is null) return (ushort)(colour.Index ?? AciPalette.Foreground);
         if (others.TryGetValue((colour, isFaded), out var index)) return index;
-        if (AciPalette.Count + others.Count >= MostColours) return (ushort)AciPalette.Foreground;
+        if (AciPalette.Count + others.Count >= MaxColours) return (ushort)AciPalette.Foreground;
         return others[(colour, isFaded)] = (ushort)(AciPalette.Count + others.Count);
     }
 }

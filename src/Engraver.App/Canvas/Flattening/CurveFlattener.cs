@@ -10,7 +10,7 @@ namespace Engraver.App.Canvas.Flattening;
 internal static class CurveFlattener
 {
     private const int Stride = 3;
-    private const int MostHalvings = 44;
+    private const int MaxHalvings = 44;
 
     public static void Flatten<TSink>(RationalCurve curve, in PixelFrame frame, in Bounds2D clip, ref TSink sink)
         where TSink : struct, IChordSink
@@ -23,7 +23,7 @@ internal static class CurveFlattener
     {
         Span<double> points = stackalloc double[(span.Degree + 1) * Stride];
         ToPixels(span, frame, points);
-        Divide(points, clip, MostHalvings, ref sink);
+        Divide(points, clip, MaxHalvings, ref sink);
     }
 
     /// <summary>Homogeneous coordinates in pixels; the centre of the view is subtracted before scaling, to keep precision.</summary>
@@ -96,24 +96,4 @@ internal static class CurveFlattener
     }
 
     private static Point2D Control(Span<double> points, int at) => new(points[at] / points[at + 2], points[at + 1] / points[at + 2]);
-}
-
-/// <summary>Receives the chords with which a curve is drawn, pixels.</summary>
-internal interface IChordSink
-{
-    void Chord(double fromX, double fromY, double toX, double toY);
-}
-
-/// <summary>Converts drawing units to pixels. The centre of the view is subtracted first, in double: at a zoom of a million a pixel still has six
-/// decimals.</summary>
-internal readonly record struct PixelFrame(double CentreX, double CentreY, double Scale, double MiddleX, double MiddleY)
-{
-    public static PixelFrame From(CanvasView view) => new(view.Centre.X, view.Centre.Y, view.PixelsPerUnit, view.Size.Width / 2.0, view.Size.Height / 2.0);
-
-    public double X(double x) => ((x - CentreX) * Scale) + MiddleX;
-
-    public double Y(double y) => ((CentreY - y) * Scale) + MiddleY;
-
-    /// <summary>Converts a box of the drawing to a box of pixels (y down).</summary>
-    public Bounds2D Box(in Bounds2D box) => new(X(box.MinX), Y(box.MaxY), X(box.MaxX), Y(box.MinY));
 }

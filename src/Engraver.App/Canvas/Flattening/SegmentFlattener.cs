@@ -26,15 +26,15 @@ internal static class SegmentFlattener
         var (from, to) = (new Point2D(frame.X(line.Start.X), frame.Y(line.Start.Y)), new Point2D(frame.X(line.End.X), frame.Y(line.End.Y)));
         var vector = to - from;
         var (first, last) = (0.0, 1.0);
-        if (!Cut(-vector.X, from.X - clip.MinX, ref first, ref last) || !Cut(vector.X, clip.MaxX - from.X, ref first, ref last)) return;
-        if (!Cut(-vector.Y, from.Y - clip.MinY, ref first, ref last) || !Cut(vector.Y, clip.MaxY - from.Y, ref first, ref last)) return;
+        if (!ClipEdge(-vector.X, from.X - clip.MinX, ref first, ref last) || !ClipEdge(vector.X, clip.MaxX - from.X, ref first, ref last)) return;
+        if (!ClipEdge(-vector.Y, from.Y - clip.MinY, ref first, ref last) || !ClipEdge(vector.Y, clip.MaxY - from.Y, ref first, ref last)) return;
         var (a, b) = (from + (vector * first), from + (vector * last));
         sink.Chord(a.X, a.Y, b.X, b.Y);
     }
 
     /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the visible part of a line, first to last as fractions of the line. False if
     /// nothing remains.</summary>
-    private static bool Cut(double outward, double room, ref double first, ref double last)
+    private static bool ClipEdge(double outward, double room, ref double first, ref double last)
     {
         if (outward == 0.0) return room >= 0.0;
         if (outward < 0.0) first = Math.Max(first, room / outward);

@@ -9,9 +9,9 @@ internal abstract record CanvasIntent
     {
     }
 
-    public static CanvasIntent None { get; } = new Nothing();
+    public static CanvasIntent None { get; } = new NoAction();
 
-    public sealed record Nothing : CanvasIntent;
+    public sealed record NoAction : CanvasIntent;
 
     /// <summary>Moves the drawing by a number of pixels.</summary>
     public sealed record Pan(Vector2D By) : CanvasIntent;
@@ -28,10 +28,10 @@ internal abstract record CanvasIntent
     public sealed record Select(SelectionBox Box, bool Remove) : CanvasIntent;
 
     /// <summary>The point that a command requested; with Shift, what is there is removed.</summary>
-    public sealed record GivePoint(Point2D At, bool Remove = false) : CanvasIntent;
+    public sealed record SubmitPoint(Point2D At, bool Remove = false) : CanvasIntent;
 
     /// <summary>Starts dragging the grip at the point.</summary>
-    public sealed record HoldGrip(Point2D At) : CanvasIntent;
+    public sealed record GrabGrip(Point2D At) : CanvasIntent;
 
     /// <summary>Ends dragging a grip at the point.</summary>
     public sealed record DropGrip(Point2D At) : CanvasIntent;

@@ -8,7 +8,7 @@ namespace Engraver.App.Canvas.Interaction;
 /// <param name="changed">Called on the UI thread when the preview to be shown has changed.</param>
 internal sealed class GhostRunner(Action changed)
 {
-    private (GhostOf Ghost, Point2D Place)? _wanted;
+    private (GhostFunction Ghost, Point2D Place)? _requested;
     private bool _isBusy;
 
     /// <summary>The preview in drawing units; empty for none.</summary>
@@ -16,33 +16,33 @@ internal sealed class GhostRunner(Action changed)
 
     /// <param name="ghost">The preview function of the prompt; null if it has none.</param>
     /// <param name="place">The point that a click gives; null if the cursor has left the canvas.</param>
-    public void Want(GhostOf? ghost, Point2D? place)
+    public void Request(GhostFunction? ghost, Point2D? place)
     {
         if (ghost is null || place is not { } at)
         {
-            _wanted = null;
+            _requested = null;
             Show([]);
             return;
         }
 
-        if (_wanted == (ghost, at)) return;
-        if (_wanted?.Ghost != ghost) Show([]);
-        _wanted = (ghost, at);
-        if (!_isBusy) Begin(ghost, at);
+        if (_requested == (ghost, at)) return;
+        if (_requested?.Ghost != ghost) Show([]);
+        _requested = (ghost, at);
+        if (!_isBusy) Start(ghost, at);
     }
 
-    private void Begin(GhostOf ghost, Point2D place)
+    private void Start(GhostFunction ghost, Point2D place)
     {
         _isBusy = true;
-        _ = Task.Run(() => ghost(place)).ContinueWith(done => Dispatcher.UIThread.Post(() => Take(ghost, place, done)), TaskScheduler.Default);
+        _ = Task.Run(() => ghost(place)).ContinueWith(done => Dispatcher.UIThread.Post(() => OnComputed(ghost, place, done)), TaskScheduler.Default);
     }
 
-    private void Take(GhostOf ghost, Point2D place, Task<IReadOnlyList<Segment>> done)
+    private void OnComputed(GhostFunction ghost, Point2D place, Task<IReadOnlyList<Segment>> done)
     {
         _isBusy = false;
-        if (_wanted is not { } wanted) return;
+        if (_requested is not { } wanted) return;
         if (wanted.Ghost == ghost) Show(done.IsCompletedSuccessfully ? done.Result : []);
-        if (wanted != (ghost, place)) Begin(wanted.Ghost, wanted.Place);
+        if (wanted != (ghost, place)) Start(wanted.Ghost, wanted.Place);
     }
 
     private void Show(IReadOnlyList<Segment> ghost)

@@ -12,7 +12,7 @@ internal sealed class MarkLayer : IPictureLayer
     private const double CellSize = 8.0;
 
     /// <summary>Maximum number of marks of full size in one picture.</summary>
-    private const int Crowd = 1000;
+    private const int MaxFullSizeMarks = 1000;
 
     /// <summary>Size of a mark above that number, as a fraction of full size.</summary>
     private const double SmallSize = 0.15;
@@ -30,7 +30,7 @@ internal sealed class MarkLayer : IPictureLayer
         {
             var reach = MarkShape.ReachOf(mark, scale);
             var pixel = view.ToPixels(mark.Place);
-            if (!IsSeen(pixel, reach, view) || !Take(taken, pixel, mark)) continue;
+            if (!IsSeen(pixel, reach, view) || !TryReserve(taken, pixel, mark)) continue;
             _placed.Add((mark, pixel));
         }
     }
@@ -41,7 +41,7 @@ internal sealed class MarkLayer : IPictureLayer
     public void Paint(CanvasView view, PixelTile tile)
     {
         var pencil = new Pencil(tile, _colour, new LinePen(1.25 * _scale));
-        var size = _placed.Count > Crowd ? SmallSize * _scale : _scale;
+        var size = _placed.Count > MaxFullSizeMarks ? SmallSize * _scale : _scale;
         foreach (var (mark, pixel) in _placed)
         {
             var reach = MarkShape.ReachOf(mark, _scale) + 2.0;
@@ -54,7 +54,7 @@ internal sealed class MarkLayer : IPictureLayer
         pixel.X >= -reach && pixel.Y >= -reach && pixel.X <= view.Size.Width + reach && pixel.Y <= view.Size.Height + reach;
 
     /// <summary>Reserves the cells of the screen that the mark needs; false if one of them is taken.</summary>
-    private bool Take(HashSet<(int, int)> taken, Point2D pixel, in SceneMark mark)
+    private bool TryReserve(HashSet<(int, int)> taken, Point2D pixel, in SceneMark mark)
     {
         var cell = CellSize * _scale;
         var (right, up) = mark.Kind == MarkKind.Order ? (MarkShape.ReachOf(mark, _scale) - cell, 2) : (0.0, 1);
@@ -80,9 +80,3 @@ internal sealed class MarkLayer : IPictureLayer
         public void Chord(double fromX, double fromY, double toX, double toY) => LineRasteriser.Draw(tile, fromX, fromY, toX, toY, colour, pen);
     }
 }
-
-/// <summary>A mark at a point of the drawing.</summary>
-/// <param name="Place">Drawing units.</param>
-/// <param name="Direction">Direction of travel, for an arrow; zero for none.</param>
-/// <param name="Number">Drawn beside the mark if its kind has a number.</param>
-internal readonly record struct SceneMark(Point2D Place, MarkKind Kind, Vector2D Direction = default, int Number = 0);

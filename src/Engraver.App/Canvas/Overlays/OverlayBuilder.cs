@@ -15,29 +15,29 @@ internal static class OverlayBuilder
     public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, DrawingScale scale, OverlayInputs inputs) => new()
     {
         MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
-        Unseen = new UnseenOverlays(
+        Deferred = new DeferredOverlays(
             new(() => Contours(sequence, scale)),
-            new(() => CutPath(toolpath, scale, inputs.MoveSpeedsWhenSeen?.Invoke() ?? inputs.MoveSpeeds)),
+            new(() => CutPath(toolpath, scale, inputs.LazyMoveSpeeds?.Invoke() ?? inputs.MoveSpeeds)),
             new(() => OrderMarks(toolpath, scale))),
         Rapids = Rapids(toolpath, scale),
         Recorded = RecordedPath(inputs.Recorded),
-        Machine = Envelope(inputs.MachineEnvelope),
+        MachineEnvelope = Envelope(inputs.MachineEnvelope),
         StartMarks = StartMarks(toolpath, scale),
         FindingMarks = FindingMarks(sequence.Discontinuities, scale, inputs.Findings),
         OriginMarks = OriginMark(inputs.WorkOrigin),
         LastEnd = LastEndOf(toolpath, scale),
-        Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
+        Finish = FinishLine(LastEndOf(toolpath, scale), inputs.Finish),
     };
 
     /// <summary>Marks are created on access: a mark takes three times the memory of its point, and there may be millions.</summary>
-    private static MadeList<SceneMark> StartMarks(Toolpath toolpath, DrawingScale scale)
+    private static ComputedList<SceneMark> StartMarks(Toolpath toolpath, DrawingScale scale)
     {
         Point2D[] places = [.. toolpath.Strokes.Select(stroke => scale.ToDrawing(stroke.Start))];
-        return new MadeList<SceneMark>(places.Length, index => new SceneMark(places[index], MarkKind.Start));
+        return new ComputedList<SceneMark>(places.Length, index => new SceneMark(places[index], MarkKind.Start));
     }
 
     /// <param name="findings">Points of other findings, drawing units.</param>
-    private static MadeList<SceneMark> FindingMarks(OpenEndList ends, DrawingScale scale, IReadOnlyList<Point2D> findings) =>
+    private static ComputedList<SceneMark> FindingMarks(OpenEndList ends, DrawingScale scale, IReadOnlyList<Point2D> findings) =>
         new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? scale.ToDrawing(ends.PlaceOf(index)) : findings[index - ends.Count], MarkKind.Finding));
 
     private static SceneMark[] OrderMarks(Toolpath toolpath, DrawingScale scale) =>
@@ -46,7 +46,7 @@ internal static class OverlayBuilder
     public static IReadOnlyList<SceneMark> OriginMark(Point2D? origin) => origin is { } place ? [new SceneMark(place, MarkKind.Origin)] : [];
 
     /// <summary>The travel after the last stroke; empty if either end is unknown.</summary>
-    public static PrimitiveStore WayTo(Point2D? from, Point2D? to)
+    public static PrimitiveStore FinishLine(Point2D? from, Point2D? to)
     {
         var store = new PrimitiveStoreBuilder();
         if (from is { } start && to is { } end && start != end) store.Add(Segment.FromLine(start, end), 0, 0);

@@ -11,7 +11,7 @@ public sealed record OverlayInputs
     public IReadOnlyList<double> MoveSpeeds { get; init; } = [];
 
     /// <summary>Computes <see cref="MoveSpeeds"/> when they are first shown; null if they are known.</summary>
-    public Func<IReadOnlyList<double>>? MoveSpeedsWhenSeen { get; init; }
+    public Func<IReadOnlyList<double>>? LazyMoveSpeeds { get; init; }
 
     /// <summary>Points of the findings of CHECK, drawing units; the discontinuities of the job need not be included.</summary>
     public IReadOnlyList<Point2D> Findings { get; init; } = [];

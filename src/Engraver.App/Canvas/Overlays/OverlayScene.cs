@@ -29,19 +29,19 @@ public sealed class OverlayScene
 
     /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Created when a picture first shows
     /// them.</summary>
-    internal PrimitiveStore Contours => Unseen.Contours.Value;
+    internal PrimitiveStore Contours => Deferred.Contours.Value;
 
     internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The moves in cutting order; the entity of a primitive is the number of the move in the whole job, the colour its speed. Created when a
     /// picture first shows them.</summary>
-    internal PrimitiveStore CutPath => Unseen.CutPath.Value;
+    internal PrimitiveStore CutPath => Deferred.CutPath.Value;
 
     /// <summary>Colour: the value that the operator chose (CNCTRACE).</summary>
     internal PrimitiveStore Recorded { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The machine envelope.</summary>
-    internal PrimitiveStore Machine { get; init; } = PrimitiveStore.Empty;
+    internal PrimitiveStore MachineEnvelope { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The travel to the finish position after the last stroke.</summary>
     internal PrimitiveStore Finish { get; init; } = PrimitiveStore.Empty;
@@ -54,10 +54,10 @@ public sealed class OverlayScene
     internal IReadOnlyList<SceneMark> TrajectoryMarks { get; init; } = [];
 
     /// <summary>Created when a picture first shows them.</summary>
-    internal IReadOnlyList<SceneMark> OrderMarks => Unseen.OrderMarks.Value;
+    internal IReadOnlyList<SceneMark> OrderMarks => Deferred.OrderMarks.Value;
 
     /// <summary>Overlays that most pictures do not show; at least 42 bytes per segment.</summary>
-    internal UnseenOverlays Unseen { get; init; } = UnseenOverlays.None;
+    internal DeferredOverlays Deferred { get; init; } = DeferredOverlays.None;
 
     internal IReadOnlyList<SceneMark> StartMarks { get; init; } = [];
 
@@ -93,11 +93,11 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(inputs);
         return new OverlayScene
         {
-            Unseen = Unseen, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Deferred = Deferred, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
             Trajectories = Trajectories, TrajectoryMarks = TrajectoryMarks,
-            Machine = OverlayBuilder.Envelope(inputs.MachineEnvelope),
+            MachineEnvelope = OverlayBuilder.Envelope(inputs.MachineEnvelope),
             OriginMarks = OverlayBuilder.OriginMark(inputs.WorkOrigin),
-            Finish = OverlayBuilder.WayTo(LastEnd, inputs.Finish),
+            Finish = OverlayBuilder.FinishLine(LastEnd, inputs.Finish),
             Recorded = OverlayBuilder.RecordedPath(inputs.Recorded),
         };
     }
@@ -109,8 +109,8 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(trajectories);
         return new OverlayScene
         {
-            Unseen = Unseen, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
-            Machine = Machine, OriginMarks = OriginMarks, Finish = Finish, Recorded = Recorded,
+            Deferred = Deferred, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            MachineEnvelope = MachineEnvelope, OriginMarks = OriginMarks, Finish = Finish, Recorded = Recorded,
             Trajectories = TrajectoryOverlay.Curves(trajectories, scale),
             TrajectoryMarks = TrajectoryOverlay.Marks(trajectories, scale),
         };
@@ -121,16 +121,10 @@ public sealed class OverlayScene
 }
 
 /// <summary>Overlays that are created when a picture first shows them, on the thread that draws it.</summary>
-internal sealed record UnseenOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
+internal sealed record DeferredOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
 {
-    public static UnseenOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
+    public static DeferredOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
 
     /// <summary>At least one of them has been created.</summary>
-    public bool IsAnyMade => Contours.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
+    public bool IsAnyCreated => Contours.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
 }
-
-/// <summary>A recorded position of the machine.</summary>
-/// <param name="Place">Drawing units.</param>
-/// <param name="ErrorFraction">The coloured value as a fraction of its tolerance or of the largest value: 0 none, 1 and above all of it.</param>
-/// <param name="ToolOn">False if the tool was off: the line to the position is omitted.</param>
-public readonly record struct RecordedPlace(Point2D Place, double ErrorFraction, bool ToolOn);

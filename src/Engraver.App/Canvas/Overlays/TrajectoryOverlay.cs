@@ -11,10 +11,10 @@ namespace Engraver.App.Canvas.Overlays;
 internal static class TrajectoryOverlay
 {
     /// <summary>Parts of each step that have their own colour.</summary>
-    private const int Parts = 8;
+    private const int PartsPerStep = 8;
 
     /// <summary>Maximum number of points shown; above it only the curve is shown.</summary>
-    private const int MostMarks = 50_000;
+    private const int MaxMarks = 50_000;
 
     /// <param name="scale">Of the drawing.</param>
     public static PrimitiveStore Curves(IReadOnlyList<DocumentTrajectory> trajectories, DrawingScale scale)
@@ -22,7 +22,7 @@ internal static class TrajectoryOverlay
         var store = new PrimitiveStoreBuilder();
         for (var i = 0; i < trajectories.Count; i++)
         {
-            foreach (var part in TrajectoryCurve.Parts(trajectories[i].Curve, Parts))
+            foreach (var part in TrajectoryCurve.Parts(trajectories[i].Curve, PartsPerStep))
             {
                 var step = (ushort)Math.Clamp((int)(part.Deviation / trajectories[i].MaxErrorMm * OverlayScene.RampSteps), 0, OverlayScene.RampSteps - 1);
                 store.Add(Segment.FromCurve(scale.ToDrawing(part.Curve.Curve)), i, step);
@@ -37,7 +37,7 @@ internal static class TrajectoryOverlay
     {
         SceneMark At(Point2D place, MarkKind kind) => new(scale.ToDrawing(place), kind);
         var corners = trajectories.SelectMany(one => TrajectoryCurve.CornersOf(one.Curve)).Select(place => At(place, MarkKind.Finding));
-        var points = trajectories.SelectMany(one => one.Curve.Lines.Skip(1).SkipLast(1)).Take(MostMarks).Select(place => At(place, MarkKind.Start));
+        var points = trajectories.SelectMany(one => one.Curve.Lines.Skip(1).SkipLast(1)).Take(MaxMarks).Select(place => At(place, MarkKind.Start));
         return [.. corners, .. points];
     }
 }

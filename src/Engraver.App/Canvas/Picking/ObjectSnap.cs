@@ -10,7 +10,7 @@ namespace Engraver.App.Canvas.Picking;
 public static class ObjectSnap
 {
     /// <summary>Maximum number of curves that are intersected with each other.</summary>
-    private const int MostCrossed = 48;
+    private const int MaxCrossedCurves = 48;
 
     /// <summary>The nearest snap point within the aperture. If nothing is nearer, what is under the cursor offers its centre, perpendicular and tangent at
     /// any distance, and finally its nearest point; null if there is none.</summary>
@@ -20,7 +20,7 @@ public static class ObjectSnap
     public static SnapPoint? Find(CanvasScene scene, Point2D place, double aperture, SnapKinds kinds, Point2D? from = null)
     {
         ArgumentNullException.ThrowIfNull(scene);
-        var search = new Search(place, aperture);
+        var search = new SnapSearch(place, aperture);
         var under = new List<Segment>();
         var store = scene.Store;
         foreach (var block in store.BlocksTouching(Bounds2D.FromCorners(place, place).Grown(aperture)))
@@ -29,11 +29,11 @@ public static class ObjectSnap
         }
 
         if (kinds.HasFlag(SnapKinds.Node)) OfferPoints(scene.Points, ref search);
-        if (kinds.HasFlag(SnapKinds.Intersection)) OfferCrossings(under, ref search);
+        if (kinds.HasFlag(SnapKinds.Intersection)) OfferIntersections(under, ref search);
         return search.Best ?? SnapsUnder(under, kinds, from).OrderBy(snap => snap.Place.DistanceTo(place)).Select(snap => (SnapPoint?)snap).FirstOrDefault() ?? NearestUnder(under, place, kinds);
     }
 
-    private static void Offer(PrimitiveStore store, in ScenePrimitive primitive, SnapKinds kinds, List<Segment> under, ref Search search)
+    private static void Offer(PrimitiveStore store, in ScenePrimitive primitive, SnapKinds kinds, List<Segment> under, ref SnapSearch search)
     {
         if (!store.BoundsOf(primitive).Grown(search.Aperture).Contains(search.Place)) return;
         var segment = store.SegmentOf(primitive);
@@ -45,14 +45,14 @@ public static class ObjectSnap
         if (segment.DistanceTo(search.Place) <= search.Aperture) under.Add(segment);
     }
 
-    private static void OfferPoints(IReadOnlyList<PlacedPoint> points, ref Search search)
+    private static void OfferPoints(IReadOnlyList<PlacedPoint> points, ref SnapSearch search)
     {
         for (var i = 0; i < points.Count; i++) search.Offer(new SnapPoint(points[i].Plan, SnapKinds.Node));
     }
 
-    private static void OfferCrossings(List<Segment> under, ref Search search)
+    private static void OfferIntersections(List<Segment> under, ref SnapSearch search)
     {
-        var count = Math.Min(under.Count, MostCrossed);
+        var count = Math.Min(under.Count, MaxCrossedCurves);
         for (var i = 0; i < count; i++)
         {
             for (var j = i + 1; j < count; j++)
@@ -78,7 +78,7 @@ public static class ObjectSnap
         ? new SnapPoint(under.Select(segment => PathPlace.Nearest(0, segment, place).At).MinBy(at => at.DistanceTo(place)), SnapKinds.Nearest)
         : null;
 
-    private struct Search(Point2D place, double aperture)
+    private struct SnapSearch(Point2D place, double aperture)
     {
         private double _distance = double.PositiveInfinity;
 

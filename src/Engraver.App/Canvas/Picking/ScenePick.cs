@@ -10,7 +10,7 @@ public static class ScenePick
     public static int? Nearest(CanvasScene scene, Point2D place, double within)
     {
         ArgumentNullException.ThrowIfNull(scene);
-        var search = new Search(place, within);
+        var search = new EntitySearch(place, within);
         var store = scene.Store;
         for (var block = 0; block < store.Blocks.Length; block++)
         {
@@ -44,7 +44,7 @@ public static class ScenePick
         return Math.Sqrt((x * x) + (y * y));
     }
 
-    private struct Search(Point2D place, double within)
+    private struct EntitySearch(Point2D place, double within)
     {
         public int Entity { get; private set; } = -1;
 

@@ -25,18 +25,18 @@ internal static class LayerStack
         if (content.Scene is not { } scene) return;
         var width = Math.Max(1.0, Math.Round(content.Scaling));
         if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.Add(new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(content.Theme), new LinePen(width)));
-        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.AddRange(scene.PointColours.Select(points => new MarkLayer([.. points.Select(place => new SceneMark(place, MarkKind.Point))], view, EntityColours.On(content.Theme, points.Key.Colour, points.Key.IsFaded), content.Scaling)));
-        if (content.Selected is { } selected) layers.Add(new PrimitiveLayer(scene.Store, [content.Theme.Selected], new LinePen(2.0 * width)) { Only = selected });
+        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.AddRange(scene.PointColours.Select(points => new MarkLayer([.. points.Select(place => new SceneMark(place, MarkKind.Point))], view, EntityColours.Resolve(content.Theme, points.Key.Colour, points.Key.IsFaded), content.Scaling)));
+        if (content.Selected is { } selected) layers.Add(new PrimitiveLayer(scene.Store, [content.Theme.Selected], new LinePen(2.0 * width)) { EntityFilter = selected });
     }
 
     private static void AddPaths(CanvasContent content, List<IPictureLayer> layers)
     {
         var (overlay, theme, scale) = (content.Overlay, content.Theme, content.Scaling);
         var line = new LinePen(1.5 * scale);
-        Add(CanvasLayers.Machine, () => new PrimitiveLayer(overlay.Machine, [theme.Machine], new LinePen(scale, 12.0 * scale, 4.0 * scale)));
+        Add(CanvasLayers.Machine, () => new PrimitiveLayer(overlay.MachineEnvelope, [theme.Machine], new LinePen(scale, 12.0 * scale, 4.0 * scale)));
         Add(CanvasLayers.Contours, () => new PrimitiveLayer(overlay.Contours, [theme.ClosedContour, theme.InsideContour, theme.OpenContour], line));
         Add(CanvasLayers.CutPath, () => new PrimitiveLayer(overlay.CutPath, ColourRamp.Between(theme.SlowCut, theme.FastCut, OverlayScene.RampSteps), line));
-        Add(CanvasLayers.Engraved, () => new PrimitiveLayer(overlay.CutPath, [theme.Engraved, theme.Remaining], new LinePen(2.0 * scale)) { Done = content.EngravedMoves }, content.EngravedMoves > 0);
+        Add(CanvasLayers.Engraved, () => new PrimitiveLayer(overlay.CutPath, [theme.Engraved, theme.Remaining], new LinePen(2.0 * scale)) { FirstRemaining = content.EngravedMoves }, content.EngravedMoves > 0);
         Add(CanvasLayers.Recorded, () => new PrimitiveLayer(overlay.Recorded, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line));
         Add(CanvasLayers.Trajectories, () => new PrimitiveLayer(overlay.Trajectories, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line), overlay.Trajectories.Count > 0);
         Add(CanvasLayers.Rapids, () => new PrimitiveLayer(overlay.Rapids, [theme.Rapid], new LinePen(scale, 5.0 * scale, 4.0 * scale)));

@@ -6,56 +6,56 @@ namespace Engraver.App.Canvas.Pictures;
 /// rest.</summary>
 internal sealed class PictureRefiner
 {
-    private readonly PictureKeeper _keeper;
-    private readonly DispatcherTimer _still = new() { Interval = TimeSpan.FromMilliseconds(40.0) };
+    private readonly PictureCache _cache;
+    private readonly DispatcherTimer _restTimer = new() { Interval = TimeSpan.FromMilliseconds(40.0) };
 
-    public PictureRefiner(PictureKeeper keeper)
+    public PictureRefiner(PictureCache keeper)
     {
-        _keeper = keeper;
-        _still.Tick += (_, _) => StandStill();
+        _cache = keeper;
+        _restTimer.Tick += (_, _) => OnViewAtRest();
     }
 
     /// <summary>Time without movement after which the view counts as being at rest.</summary>
-    public TimeSpan Stillness
+    public TimeSpan RestDelay
     {
-        get => _still.Interval;
-        set => _still.Interval = value;
+        get => _restTimer.Interval;
+        set => _restTimer.Interval = value;
     }
 
     /// <summary>The view moves: stops the picture that is being drawn.</summary>
-    public void WaitForHand()
+    public void OnViewMoving()
     {
-        Rest();
-        DrawSoon();
+        Stop();
+        RefineSoon();
     }
 
     /// <summary>Draws the requested picture when the view is at rest; the first one of all immediately. A picture that is being drawn is finished first, so
     /// that steady changes (a running machine) cannot starve it.</summary>
-    public void DrawSoon()
+    public void RefineSoon()
     {
-        if (_keeper.IsDrawing) return;
-        if (_keeper.HasPicture || _keeper.Content.Scene is null) _still.Start();
-        else StandStill();
+        if (_cache.IsDrawing) return;
+        if (_cache.HasPicture || _cache.Content.Scene is null) _restTimer.Start();
+        else OnViewAtRest();
     }
 
     /// <summary>Draws the requested picture immediately.</summary>
     public void RefineNow()
     {
-        Rest();
-        if (_keeper.View.Size.Width > 0) _keeper.Refine(CancellationToken.None);
+        Stop();
+        if (_cache.View.Size.Width > 0) _cache.Refine(CancellationToken.None);
     }
 
     /// <summary>Stops drawing until another picture is requested.</summary>
-    public void Rest()
+    public void Stop()
     {
-        _still.Stop();
-        _keeper.Abandon();
+        _restTimer.Stop();
+        _cache.CancelDrawing();
     }
 
-    private async void StandStill()
+    private async void OnViewAtRest()
     {
-        _still.Stop();
-        if (_keeper.IsFresh || _keeper.IsDrawing || _keeper.View.Size.Width <= 0) return;
-        if (await _keeper.RefineAsync() && !_keeper.IsFresh) DrawSoon();
+        _restTimer.Stop();
+        if (_cache.IsUpToDate || _cache.IsDrawing || _cache.View.Size.Width <= 0) return;
+        if (await _cache.RefineAsync() && !_cache.IsUpToDate) RefineSoon();
     }
 }

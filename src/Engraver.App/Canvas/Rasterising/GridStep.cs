@@ -1,13 +1,13 @@
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>Distance of the grid lines at a scale: 1, 2 or 5 times a power of ten, at least <see cref="FewestPixels"/>.</summary>
+/// <summary>Distance of the grid lines at a scale: 1, 2 or 5 times a power of ten, at least <see cref="MinPixels"/>.</summary>
 /// <param name="Minor">Drawing units.</param>
 /// <param name="MinorPerMajor">Every line of this number is a major line.</param>
 internal readonly record struct GridStep(double Minor, int MinorPerMajor)
 {
-    public const double FewestPixels = 10.0;
+    public const double MinPixels = 10.0;
 
-    public static GridStep For(double unitsPerPixel) => AtLeast(unitsPerPixel * FewestPixels);
+    public static GridStep For(double unitsPerPixel) => AtLeast(unitsPerPixel * MinPixels);
 
     /// <summary>The smallest step of at least a distance.</summary>
     /// <param name="least">Positive.</param>

@@ -23,8 +23,8 @@ internal static class LineRasteriser
 
         var steep = Math.Abs(toY - fromY) > Math.Abs(toX - fromX);
         var bar = steep
-            ? new Bar(fromY, fromX, toY, toX, pen)
-            : new Bar(fromX, fromY, toX, toY, pen);
+            ? new WideLine(fromY, fromX, toY, toX, pen)
+            : new WideLine(fromX, fromY, toX, toY, pen);
         var area = steep
             ? new Area(tile.Top, tile.Height, tile.Left, tile.Width, PixelTile.Side, 1)
             : new Area(tile.Left, tile.Width, tile.Top, tile.Height, 1, PixelTile.Side);
@@ -32,7 +32,7 @@ internal static class LineRasteriser
         if (first > last) return;
         Fill(tile.Layer, area, bar, first, last, colour & 0xFFFFFF);
         var (top, bottom) = steep ? (first, last) : bar.Rows(area, first, last);
-        tile.Touch(top - tile.Top, bottom - tile.Top);
+        tile.MarkDirty(top - tile.Top, bottom - tile.Top);
     }
 
     /// <summary>The few pixels around a line of at most <see cref="ShortLine"/>: a large drawing shown as a whole consists only of such lines.</summary>
@@ -55,14 +55,14 @@ internal static class LineRasteriser
                 var share = Math.Clamp((offX * shareX) + (offY * shareY), 0.0, 1.0);
                 var (restX, restY) = (offX - (share * wayX), offY - (share * wayY));
                 var away = (restX * restX) + (restY * restY);
-                if (away < reach * reach) Raise(ref line[i], colour, reach - Math.Sqrt(away));
+                if (away < reach * reach) RaiseCoverage(ref line[i], colour, reach - Math.Sqrt(away));
             }
         }
 
-        tile.Touch(top - tile.Top, bottom - tile.Top);
+        tile.MarkDirty(top - tile.Top, bottom - tile.Top);
     }
 
-    private static void Fill(uint[] layer, in Area area, in Bar bar, int first, int last, uint colour)
+    private static void Fill(uint[] layer, in Area area, in WideLine bar, int first, int last, uint colour)
     {
         ref var origin = ref MemoryMarshal.GetArrayDataReference(layer);
         for (var column = first; column <= last; column++)
@@ -77,13 +77,13 @@ internal static class LineRasteriser
             for (var row = low; row <= high; row++, at += area.StepV)
             {
                 var coverage = inner ? bar.InnerCoverage(row + 0.5 - middle) : bar.Coverage(u, row + 0.5);
-                if (coverage > 0.0) Raise(ref Unsafe.Add(ref origin, at), colour, coverage);
+                if (coverage > 0.0) RaiseCoverage(ref Unsafe.Add(ref origin, at), colour, coverage);
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Raise(ref uint pixel, uint colour, double coverage)
+    private static void RaiseCoverage(ref uint pixel, uint colour, double coverage)
     {
         var level = coverage >= 1.0 ? 255u : (uint)((coverage * 255.0) + 0.5);
         if (level != 0 && level >= pixel >> 24) pixel = (level << 24) | colour;
@@ -106,7 +106,7 @@ internal static class LineRasteriser
     }
 
     /// <summary>A line with its width; u increases from the first end to the second.</summary>
-    private readonly struct Bar
+    private readonly struct WideLine
     {
         private readonly double _u0;
         private readonly double _v0;
@@ -121,7 +121,7 @@ internal static class LineRasteriser
         private readonly bool _turned;
         private readonly LinePen _pen;
 
-        public Bar(double u0, double v0, double u1, double v1, LinePen pen)
+        public WideLine(double u0, double v0, double u1, double v1, LinePen pen)
         {
             _turned = u0 > u1;
             if (_turned) (u0, v0, u1, v1) = (u1, v1, u0, v0);
@@ -186,21 +186,4 @@ internal static class LineRasteriser
             return ((int)low, (int)high);
         }
     }
-}
-
-/// <summary>How lines are drawn, in pixels of the screen.</summary>
-/// <param name="Width">Above 0.</param>
-/// <param name="Dash">Length of a dash; 0 for a solid line.</param>
-/// <param name="Gap">Length between dashes.</param>
-internal readonly record struct LinePen(double Width, double Dash = 0.0, double Gap = 0.0)
-{
-    public static LinePen Hairline => new(1.0);
-
-    public bool IsDashed => Dash > 0.0;
-
-    /// <summary>Maximum distance from the middle of a line at which (the centres of) pixels are touched: half the width and half a pixel.</summary>
-    public double Reach => (Width / 2.0) + 0.5;
-
-    /// <summary>Is the line drawn at this distance from its start?</summary>
-    public bool IsOn(double along) => !IsDashed || along - (Math.Floor(along / (Dash + Gap)) * (Dash + Gap)) < Dash;
 }

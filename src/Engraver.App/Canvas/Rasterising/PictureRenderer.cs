@@ -37,22 +37,3 @@ internal static class PictureRenderer
         }
     }
 }
-
-/// <summary>One layer of a picture. Painted tile by tile from several threads at once.</summary>
-internal interface IPictureLayer
-{
-    /// <summary>Draws the part of the layer that the tile shows.</summary>
-    void Paint(CanvasView view, PixelTile tile);
-}
-
-/// <summary>An opaque picture, rows from the top, each pixel 0xAARRGGBB (in memory blue, green, red, alpha), and its view.</summary>
-internal sealed class Picture(CanvasView view)
-{
-    public CanvasView View { get; } = view;
-
-    public int Width => View.Size.Width;
-
-    public int Height => View.Size.Height;
-
-    public uint[] Pixels { get; } = GC.AllocateUninitializedArray<uint>(view.Size.Width * view.Size.Height);
-}

@@ -31,7 +31,7 @@ internal sealed class PixelTile
     }
 
     /// <summary>Marks rows of the tile as drawn.</summary>
-    public void Touch(int firstRow, int lastRow)
+    public void MarkDirty(int firstRow, int lastRow)
     {
         if (firstRow < _firstDirty) _firstDirty = firstRow;
         if (lastRow > _lastDirty) _lastDirty = lastRow;
@@ -45,14 +45,14 @@ internal sealed class PixelTile
         for (var row = Math.Max(0, _firstDirty); row <= Math.Min(_lastDirty, Height - 1); row++)
         {
             var source = _layer.AsSpan(row * Side, Width);
-            Over(source, pixels.AsSpan(((Top + row) * stride) + Left, Width));
+            BlendOver(source, pixels.AsSpan(((Top + row) * stride) + Left, Width));
             source.Clear();
         }
 
         (_firstDirty, _lastDirty) = (Side, -1);
     }
 
-    private static void Over(ReadOnlySpan<uint> source, Span<uint> target)
+    private static void BlendOver(ReadOnlySpan<uint> source, Span<uint> target)
     {
         for (var i = 0; i < source.Length; i++)
         {

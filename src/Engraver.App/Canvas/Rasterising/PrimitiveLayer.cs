@@ -15,11 +15,11 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
     private const double DotSize = 0.75;
 
     /// <summary>Only entities with the value true are drawn (by entity index; entities beyond the array are not drawn); null: all.</summary>
-    public bool[]? Only { get; init; }
+    public bool[]? EntityFilter { get; init; }
 
     /// <summary>Entities from this one on take the last colour of the palette (remaining), those before it the first (engraved). Null: every primitive has
     /// its own colour.</summary>
-    public int? Done { get; init; }
+    public int? FirstRemaining { get; init; }
 
     private LinePen Pen => pen;
 
@@ -27,9 +27,9 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
 
     public void Paint(CanvasView view, PixelTile tile)
     {
-        var brush = new Brush(tile, this, PixelFrame.From(view), Clip(view));
+        var brush = new PrimitivePainter(tile, this, PixelFrame.From(view), Clip(view));
         var seen = view.WindowOf(tile.Left, tile.Top, tile.Width, tile.Height).Grown((pen.Reach + 1.0) * view.UnitsPerPixel);
-        var dot = Only is null && Done is null && !pen.IsDashed ? DotSize * view.UnitsPerPixel : -1.0;
+        var dot = EntityFilter is null && FirstRemaining is null && !pen.IsDashed ? DotSize * view.UnitsPerPixel : -1.0;
         for (var block = 0; block < store.Blocks.Length; block++)
         {
             ref readonly var box = ref store.Blocks[block];
@@ -42,33 +42,33 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
     /// <summary>Curves are clipped outside the whole picture, not outside the tile, so that their chords are the same in every tile.</summary>
     private Bounds2D Clip(CanvasView view) => new Bounds2D(0.0, 0.0, view.Size.Width, view.Size.Height).Grown(pen.Reach + 2.0);
 
-    private void PaintBlock(int block, in Bounds2D seen, ref Brush brush)
+    private void PaintBlock(int block, in Bounds2D seen, ref PrimitivePainter brush)
     {
         foreach (ref readonly var primitive in store.Block(block))
         {
             if (primitive.Kind == SegmentKind.Line) brush.Line(primitive, seen);
-            else if (brush.Takes(primitive) && PrimitiveStore.Overlap(store.BoundsOf(primitive), seen)) brush.Curve(primitive);
+            else if (brush.Includes(primitive) && PrimitiveStore.Overlap(store.BoundsOf(primitive), seen)) brush.Curve(primitive);
         }
     }
 
     private uint ColourOf(in ScenePrimitive primitive) =>
-        Done is { } done ? (primitive.Entity < done ? palette[0] : palette[^1]) : palette[Math.Min(primitive.Colour, palette.Length - 1)];
+        FirstRemaining is { } done ? (primitive.Entity < done ? palette[0] : palette[^1]) : palette[Math.Min(primitive.Colour, palette.Length - 1)];
 
-    private struct Brush(PixelTile tile, PrimitiveLayer layer, PixelFrame frame, Bounds2D clip) : IChordSink
+    private struct PrimitivePainter(PixelTile tile, PrimitiveLayer layer, PixelFrame frame, Bounds2D clip) : IChordSink
     {
         private readonly PixelFrame _frame = frame;
         private readonly Bounds2D _clip = clip;
-        private readonly bool[]? _only = layer.Only;
+        private readonly bool[]? _entityFilter = layer.EntityFilter;
         private readonly LinePen _pen = layer.Pen;
         private uint _colour;
 
-        public readonly bool Takes(in ScenePrimitive primitive) => _only is null || ((uint)primitive.Entity < (uint)_only.Length && _only[primitive.Entity]);
+        public readonly bool Includes(in ScenePrimitive primitive) => _entityFilter is null || ((uint)primitive.Entity < (uint)_entityFilter.Length && _entityFilter[primitive.Entity]);
 
         public readonly void Chord(double fromX, double fromY, double toX, double toY) => LineRasteriser.Draw(tile, fromX, fromY, toX, toY, _colour, _pen);
 
         public void Line(in ScenePrimitive line, in Bounds2D seen)
         {
-            if (!Takes(line) || IsOutside(line, seen)) return;
+            if (!Includes(line) || IsOutside(line, seen)) return;
             _colour = layer.ColourOf(line);
             var (fromX, fromY, toX, toY) = (_frame.X(line.A), _frame.Y(line.B), _frame.X(line.C), _frame.Y(line.D));
             if (line.A == line.C) fromX = toX = Snapped(fromX);

@@ -5,12 +5,12 @@ namespace Engraver.App.Canvas.Scenes;
 /// <summary>Computes the box of every block, on all cores.</summary>
 internal static class BlockBounds
 {
-    private const int FewestForTwoCores = 1024;
+    private const int MinForParallel = 1024;
 
     public static void Fill(PrimitiveStore store)
     {
         var count = store.Blocks.Length;
-        if (count < FewestForTwoCores) FillRange(store, 0, count);
+        if (count < MinForParallel) FillRange(store, 0, count);
         else Parallel.ForEach(CoreRanges.Split(count), range => FillRange(store, range.From, range.To));
     }
 

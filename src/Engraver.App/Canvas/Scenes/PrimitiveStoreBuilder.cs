@@ -30,7 +30,7 @@ internal sealed class PrimitiveStoreBuilder
         {
             for (var i = range.From; i < range.To; i++) boxes[i] = PrimitiveStore.BoundsOf(drawn[i], arcs, curves);
         });
-        var order = NeighbourOrder.Sort(boxes);
+        var order = MortonOrder.Sort(boxes);
         var sorted = GC.AllocateUninitializedArray<ScenePrimitive>(drawn.Length);
         Parallel.ForEach(CoreRanges.Split(drawn.Length), range =>
         {

@@ -8,6 +8,6 @@ namespace Engraver.Cli.Output.Jobs;
 /// <param name="Problem">Why the file is not a valid certificate; null when it is valid or missing.</param>
 internal sealed record CertificateCheckJson(string Standing, string File, IReadOnlyList<string> Differs, string? Problem)
 {
-    public static CertificateCheckJson From(CertificateStanding standing, string file) =>
-        new(standing.State switch { CertificateState.Stands => "stands", CertificateState.None => "none", _ => "stale" }, file, standing.Differs, standing.Problem);
+    public static CertificateCheckJson From(CertificateStatus standing, string file) =>
+        new(standing.State switch { CertificateState.Stands => "stands", CertificateState.None => "none", _ => "stale" }, file, standing.Differences, standing.Problem);
 }

@@ -9,12 +9,12 @@ namespace Engraver.Cli.Output.Jobs;
 /// <param name="Whole">False if the recorded conversation is incomplete.</param>
 /// <param name="Late">Maximum delay of the replay relative to the host, seconds.</param>
 internal sealed record ReplayJson(
-    string Journal, string? Drawing, string? Outcome, string Clock, bool Whole, int Said, int Samples, double Seconds, long? FinalX, long? FinalY, long? JournalX, long? JournalY, bool? Agrees, double Late, ReplayJson.AgainstJson? Against)
+    string Journal, string? Drawing, string? Outcome, string Clock, bool Whole, int Said, int Samples, double Seconds, long? FinalX, long? FinalY, long? JournalX, long? JournalY, bool? Agrees, double Late, ReplayJson.ComparisonJson? Against)
 {
     public static ReplayJson From(string journal, IncidentReplay replay, ReplayComparison? compared) => new(
         journal,
-        replay.Told?.Header.Drawing,
-        replay.Told?.End is { } end ? OutcomeText.Word(end.Outcome) : null,
+        replay.JournalledJob?.Header.Drawing,
+        replay.JournalledJob?.End is { } end ? OutcomeText.Token(end.Outcome) : null,
         replay.Conversation.IsControllersClock ? "controller" : "wall",
         replay.Conversation.IsWhole,
         replay.Conversation.Steps.Count(step => step.Bytes.Length > 0),
@@ -22,14 +22,14 @@ internal sealed record ReplayJson(
         replay.Seconds,
         replay.FinalPosition?.X,
         replay.FinalPosition?.Y,
-        replay.Told?.End?.X,
-        replay.Told?.End?.Y,
-        replay.Agrees,
+        replay.JournalledJob?.End?.X,
+        replay.JournalledJob?.End?.Y,
+        replay.EndsAsJournalled,
         replay.LateSeconds,
-        compared is null ? null : new AgainstJson(compared.IsSame, compared.Same, compared.There, compared.Here));
+        compared is null ? null : new ComparisonJson(compared.IsSame, compared.MatchingLines, compared.RecordLine, compared.ReplayLine));
 
     /// <param name="Lines">Number of matching lines from the start.</param>
     /// <param name="Record">First differing line of the record; null if it ends earlier or nothing differs.</param>
     /// <param name="Replay">First differing line of the replay; null if it ends earlier or nothing differs.</param>
-    internal sealed record AgainstJson(bool Same, int Lines, string? Record, string? Replay);
+    internal sealed record ComparisonJson(bool Same, int Lines, string? Record, string? Replay);
 }

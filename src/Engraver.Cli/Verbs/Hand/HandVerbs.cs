@@ -49,7 +49,7 @@ internal sealed class HandVerbs
     private async Task<int> SwitchAsync(MachineSession machine, bool on, CancellationToken stop)
     {
         if (await machine.Hand.SetMotorsAsync(on, stop).ConfigureAwait(false) is not { } refused) return ExitCode.Done;
-        _host.Error.WriteLine($"engraver: {refused.Sentence}");
+        _host.Error.WriteLine($"engraver: {refused.Message}");
         return ExitCode.Refused;
     }
 
@@ -59,7 +59,7 @@ internal sealed class HandVerbs
         var place = new Argument<string?>("X,Y|park|clearance") { Description = Wording.Get("Hand.Target") };
         place.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidTarget", token.Value));
+            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryParsePosition(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidTarget", token.Value));
         });
         var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachinePosition") };
         var command = verb._action.Command("goto", Wording.Get("Hand.GoTo"));
@@ -71,7 +71,7 @@ internal sealed class HandVerbs
             {
                 Clearance => verb.ClearAsync(machine, cancellation),
                 Park => machine.Profile.Park is { } park ? verb.GoToAsync(machine, park, byMachine: true, cancellation) : Task.FromResult(verb._action.NotMoved(Wording.Get("Hand.NoPark"))),
-                var typed => verb.GoToAsync(machine, PlacementOptions.TryPlace(typed!)!.Value, parsed.GetValue(byMachine), cancellation),
+                var typed => verb.GoToAsync(machine, PlacementOptions.TryParsePosition(typed!)!.Value, parsed.GetValue(byMachine), cancellation),
             },
             stop));
         return command;
@@ -89,7 +89,7 @@ internal sealed class HandVerbs
     {
         if (!machine.Profile.HasHoming) return _action.NotMoved(Wording.Get("Hand.NoHoming"));
         var homed = await machine.Hand.HomeAsync(JournalFolder.NewJournal("home", TimeProvider.System), stop).ConfigureAwait(false);
-        if (homed.Forgotten.Count > 0) _host.Error.WriteLine(Wording.Get("Hand.OriginsLost", string.Join(", ", homed.Forgotten)));
+        if (homed.LostOrigins.Count > 0) _host.Error.WriteLine(Wording.Get("Hand.OriginsLost", string.Join(", ", homed.LostOrigins)));
         return _action.Conclude(homed.Result);
     }
 
@@ -103,7 +103,7 @@ internal sealed class HandVerbs
             zero = frame;
         }
 
-        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (HandTarget.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return _action.Conclude(await machine.Hand.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
@@ -113,7 +113,7 @@ internal sealed class HandVerbs
         if (machine.Profile.Height is null) return _action.NotMoved(Wording.Get("Hand.NoClearance"));
         var found = await machine.Origins.FindZeroAsync(stop).ConfigureAwait(false);
         if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return _action.NotMoved(WhyUnplaced(found));
-        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (HandTarget.AtClearance(here, zero, machine.Profile) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return _action.Conclude(await machine.Hand.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 

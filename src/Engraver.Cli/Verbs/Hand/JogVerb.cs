@@ -49,7 +49,7 @@ internal sealed class JogVerb
     {
         if (machine.Status.MachinePosition is not { } here) return _action.NotMoved(Wording.Get("Hand.MachinePositionUnknown"));
         if (height != 0.0 && machine.Profile.Axes.Z is null) return _action.NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (HandTarget.FromStep(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         TellUnhomed(machine);
         return _action.Conclude(await machine.Hand.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
@@ -69,14 +69,14 @@ internal sealed class JogVerb
     {
         if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return _action.NotMoved(Wording.Get("Hand.NoZAxis"));
         TellUnhomed(machine);
-        using var jog = machine.Hand.Presence.Begin(way.At(feed ?? machine.Profile.JogMmPerMinute));
-        await using var alive = TimeProvider.System.CreateTimer(_ => machine.Hand.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // a console has no window that could hang or be left
+        using var jog = machine.Hand.Presence.BeginJog(way.At(feed ?? machine.Profile.JogMmPerMinute));
+        await using var alive = TimeProvider.System.CreateTimer(_ => machine.Hand.Presence.Sign(), null, OperatorPresence.SignInterval, OperatorPresence.SignInterval).ConfigureAwait(false); // a console has no window that could hang or be left
         using var ended = CancellationTokenSource.CreateLinkedTokenSource(stop);
         var typed = Task.Run(() => ReleaseAtEnterAsync(jog, ended.Token), CancellationToken.None); // a console blocks the thread that reads it
         var result = await machine.Hand.JogAsync(jog, JournalFolder.NewJournal("jog", TimeProvider.System), stop).ConfigureAwait(false);
         await ended.CancelAsync().ConfigureAwait(false);
         if (typed.IsCompleted) await typed.ConfigureAwait(false);
-        if (jog.Lost.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogDelayed"));
+        if (jog.Abandoned.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogDelayed"));
         return _action.Conclude(result);
     }
 
@@ -85,7 +85,7 @@ internal sealed class JogVerb
         if (machine.Hand.UnhomedNotice is { } notice) _host.Error.WriteLine($"engraver: {notice}");
     }
 
-    private async Task ReleaseAtEnterAsync(HeldJog jog, CancellationToken ended)
+    private async Task ReleaseAtEnterAsync(ContinuousJog jog, CancellationToken ended)
     {
         try
         {

@@ -36,7 +36,7 @@ internal sealed class MachineAction(VerbHost host)
     public int Conclude(JobResult result)
     {
         if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);
-        if (result.Outcome != JobOutcome.Complete) host.Error.WriteLine($"engraver: {result.Sentence}");
+        if (result.Outcome != JobOutcome.Complete) host.Error.WriteLine($"engraver: {result.Message}");
         foreach (var left in result.NotRestored) host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(result.Outcome);
     }

@@ -56,13 +56,13 @@ internal sealed class OriginVerbs
     private int Choose(MachineSession machine, string? name) =>
         name is not null && machine.Origins.Choose(WorkOriginNames.Find(name)!) is { } failure ? _action.NotMoved(failure) : ExitCode.Done;
 
-    private static MachinePlace? MachinePlaceOf(string typed) => new MachinePlacePrompt("") { MayHaveHeight = true }.Read(typed, default) is Reading<MachinePlace>.Value { Of: var place } ? place : null;
+    private static TypedMachinePosition? MachinePlaceOf(string typed) => new MachinePositionPrompt("") { AllowsZ = true }.Parse(typed, default) is ParsedInput<TypedMachinePosition>.Value { Result: var place } ? place : null;
 
-    private async Task<int> TypeAsync(MachineSession machine, string? name, MachinePlace place, CancellationToken stop)
+    private async Task<int> TypeAsync(MachineSession machine, string? name, TypedMachinePosition place, CancellationToken stop)
     {
         var axes = machine.Profile.Axes;
         if (place.Z is not null && axes.Z is null) return _action.NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (!place.IsCountable(axes.Scale)) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (!place.FitsCounter(axes.Scale)) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         var chosen = name is null ? machine.Connection.Lease!.Memory.Active : WorkOriginNames.Find(name)!;
         return await machine.Origins.TypeAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
@@ -120,7 +120,7 @@ internal sealed class OriginVerbs
             var all = !x && !y && (!z || point is not null);
             WorkEdge? edge = parsed.GetValue(_edge) is { } named ? Enum.Parse<WorkEdge>(named, ignoreCase: true) : null;
             var isWhole = all && point is null && edge is null && centre is null; // No axis is named and the zero is here: the height is set too if there is a Z axis.
-            var first = centre is { } touched ? HandPlace.OfMachine(touched, scale) : null;
+            var first = centre is { } touched ? HandTarget.OfMachine(touched, scale) : null;
             var touch = new ZeroTouch { X = all || x, Y = all || y, Z = z || isWhole, Place = point ?? default, Height = parsed.GetValue(_height) ?? 0.0, Edge = edge, Radius = parsed.GetValue(_radius), First = first };
             return (centre is not null && first is null ? null : touch, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null, z);
         }
@@ -131,21 +131,21 @@ internal sealed class OriginVerbs
             if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
         }
 
-        private static Point2D? Place(string? typed) => typed is null ? null : PlacementOptions.TryPlace(typed);
+        private static Point2D? Place(string? typed) => typed is null ? null : PlacementOptions.TryParsePosition(typed);
 
         private static Option<string?> PlaceOption(string name, string description)
         {
             var option = new Option<string?>(name) { HelpName = "X,Y", Description = description };
             option.Validators.Add(result =>
             {
-                if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidPosition", token.Value));
+                if (result.Tokens is [var token] && PlacementOptions.TryParsePosition(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidPosition", token.Value));
             });
             return option;
         }
 
         private static double ParseRadius(ArgumentResult result)
         {
-            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= MaxRadiusMm) return radius;
+            if (NumberPrompt.TryParse(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= MaxRadiusMm) return radius;
             result.AddError(Wording.Get("Hand.InvalidRadius", result.Tokens[0].Value, MaxRadiusMm));
             return 0.0;
         }

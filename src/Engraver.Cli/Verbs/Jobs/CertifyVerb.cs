@@ -23,7 +23,7 @@ internal sealed class CertifyVerb
     private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Certify.Target") };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Certify.Dialect") };
     private readonly Option<string?> _program = new("--program") { HelpName = "FILE", Description = Wording.Get("Certify.Program") };
-    private readonly PostedOptions _posted = new();
+    private readonly PostParameterOptions _posted = new();
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = Wording.Get("Certify.Output") };
     private readonly Option<bool> _check = new("--check") { Description = Wording.Get("Certify.Check") };
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
@@ -51,14 +51,14 @@ internal sealed class CertifyVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var (settings, file) = (_drawing.Settings(parsed), _drawing.File(parsed));
-        VerbHost.KeepApart(file, parsed.GetValue(_output));
+        VerbHost.RejectSameFile(file, parsed.GetValue(_output));
         var (strategy, hash) = (ModeOption.Strategy(parsed, _mode, settings), ContentHash.OfFile(file));
         var target = Target(parsed, settings, strategy);
         var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, target, TimeProvider.System.GetUtcNow())
         {
             Dialect = Dialect(parsed, target),
             Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
-            Posted = Posted(parsed) with { Start = parsed.GetValue(_program) is { } started ? _host.KeptStart(parsed, started) : null },
+            PostParameters = Posted(parsed) with { Start = parsed.GetValue(_program) is { } started ? _host.SavedStart(parsed, started) : null },
             Address = parsed.GetValue(_connect),
             Strategy = strategy,
         };
@@ -74,7 +74,7 @@ internal sealed class CertifyVerb
         var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
         if (made.Certificate is not { } certificate)
         {
-            _host.Error.WriteLine(Wording.Get("Certify.NotCertified", made.WithoutProgram));
+            _host.Error.WriteLine(Wording.Get("Certify.NotCertified", made.NoProgramReason));
             return ExitCode.DrawingError;
         }
 
@@ -88,9 +88,9 @@ internal sealed class CertifyVerb
     private int Check(ParseResult parsed, CertificationRequest request, string place)
     {
         _host.Report(parsed, request.Drawing.FileName, request.Drawing.Diagnostics);
-        var standing = CertificateStanding.Of(place, Certification.IdentityOf(request));
+        var standing = CertificateStatus.Of(place, Certification.IdentityOf(request));
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, CertificateCheckJson.From(standing, place), ContractJson.Default.CertificateCheckJson);
-        else _host.Out.WriteLine(SettingWording.OnConsole(standing.Sentence) + ".");
+        else _host.Out.WriteLine(SettingWording.OnConsole(standing.Message) + ".");
         return standing.State == CertificateState.Stands ? ExitCode.Done : ExitCode.DrawingError;
     }
 
@@ -101,10 +101,10 @@ internal sealed class CertifyVerb
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;
 
     /// <exception cref="UsageException">An option describes a given program but none is given: the program posted here has the defaults.</exception>
-    private PostedWith Posted(ParseResult parsed)
+    private PostParameters Posted(ParseResult parsed)
     {
         var posted = _posted.Of(parsed);
-        return posted == PostedWith.Defaults || parsed.GetValue(_program) is not null ? posted : throw new UsageException(Wording.Get("Certify.PostedWithoutProgram"));
+        return posted == PostParameters.Defaults || parsed.GetValue(_program) is not null ? posted : throw new UsageException(Wording.Get("Certify.PostedWithoutProgram"));
     }
 
     /// <summary>Null for the default dialect of the target.</summary>
@@ -119,7 +119,7 @@ internal sealed class CertifyVerb
     /// <exception cref="UsageException">The program cannot be read.</exception>
     private static (string File, string Text) Given(string path)
     {
-        var (text, fault) = ReadBackFile.Open(path).Whole();
+        var (text, fault) = ReadBackFile.Open(path).ReadAll();
         return text is not null ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, fault!.Message));
     }
 }

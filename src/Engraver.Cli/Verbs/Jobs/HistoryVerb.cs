@@ -14,18 +14,18 @@ internal static class HistoryVerb
     public static Command Build(VerbHost host)
     {
         var search = new Option<string?>("--search") { HelpName = "TEXT", Description = Wording.Get("History.Search") };
-        var last = new Option<double?>("--last") { HelpName = "N", Description = Wording.Get("History.Last"), CustomParser = result => OptionValue.WholeNumberFromOne(result) };
-        var budget = new Option<double?>("--budget") { HelpName = "MB", Description = Wording.Get("History.Budget"), CustomParser = result => OptionValue.WholeNumberFromOne(result) };
+        var last = new Option<double?>("--last") { HelpName = "N", Description = Wording.Get("History.Last"), CustomParser = result => OptionValue.IntegerFromOne(result) };
+        var budget = new Option<double?>("--budget") { HelpName = "MB", Description = Wording.Get("History.Budget"), CustomParser = result => OptionValue.IntegerFromOne(result) };
         var json = JsonOption.New();
         var command = new Command("history", Wording.Get("History.Summary"));
         foreach (var option in (Option[])[search, last, budget, json]) command.Options.Add(option);
         command.SetAction(parsed =>
         {
             if (parsed.GetValue(budget) is { } megabytes && RunBudget.Set((int)megabytes) is { } failure) throw new UsageException(Wording.Get("History.BudgetNotSaved", failure));
-            var reading = new JobHistory(JobHistory.FolderIn(null)).Look();
-            var numbered = reading.Entries.Select((entry, index) => (Number: index + 1, Entry: entry)).Where(one => parsed.GetValue(search) is not { } word || one.Entry.Holds(word)).Take((int)(parsed.GetValue(last) ?? int.MaxValue)).ToList();
+            var reading = new JobHistory(JobHistory.FolderIn(null)).Refresh();
+            var numbered = reading.Entries.Select((entry, index) => (Number: index + 1, Entry: entry)).Where(one => parsed.GetValue(search) is not { } word || one.Entry.Matches(word)).Take((int)(parsed.GetValue(last) ?? int.MaxValue)).ToList();
             foreach (var finding in reading.Findings) host.Error.WriteLine(finding);
-            if (parsed.GetValue(json)) ContractJson.Write(host.Out, HistoryJson.From(numbered.Select(one => one.Entry), reading.Findings), ContractJson.Default.HistoryJson);
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, HistoryListJson.From(numbered.Select(one => one.Entry), reading.Findings), ContractJson.Default.HistoryListJson);
             else WriteText(host, numbered);
             return ExitCode.Done;
         });

@@ -22,27 +22,27 @@ internal static class ReplayVerb
         command.SetAction(async (parsed, stop) =>
         {
             var file = parsed.GetRequiredValue(journal);
-            VerbHost.KeepApart(file, parsed.GetValue(record));
-            var (replay, lack) = await IncidentReplay.RunAsync(file, KeptConversation.PathOf(file), stop).ConfigureAwait(false);
+            VerbHost.RejectSameFile(file, parsed.GetValue(record));
+            var (replay, lack) = await IncidentReplay.RunAsync(file, ConversationFile.PathOf(file), stop).ConfigureAwait(false);
             if (replay is null) throw new UsageException(Wording.Get("Replay.NotPossible", lack));
             await using var owned = replay;
             if (parsed.GetValue(record) is { } samples) host.Write(samples, replay.WriteRecord);
             var compared = parsed.GetValue(against) is { } other ? Compared(replay, other) : null;
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, ReplayJson.From(file, replay, compared), ContractJson.Default.ReplayJson);
-            else Tell(host.Out, replay, compared);
-            return replay.Agrees == false || compared is { IsSame: false } ? ExitCode.DrawingError : ExitCode.Done;
+            else WriteResult(host.Out, replay, compared);
+            return replay.EndsAsJournalled == false || compared is { IsSame: false } ? ExitCode.DrawingError : ExitCode.Done;
         });
         return command;
     }
 
-    private static void Tell(TextWriter output, IncidentReplay replay, ReplayComparison? compared)
+    private static void WriteResult(TextWriter output, IncidentReplay replay, ReplayComparison? compared)
     {
         if (replay.FinalPosition is { } final) output.WriteLine(Wording.Get("Replay.Done", replay.Conversation.Steps.Count, replay.Samples, replay.Seconds, final.X, final.Y));
         else output.WriteLine(Wording.Get("Replay.NothingMoved", replay.Conversation.Steps.Count));
         if (!replay.Conversation.IsWhole) output.WriteLine(Wording.Get("Replay.ConversationIncomplete"));
-        if (replay.Agrees is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.PositionDiffers", replay.Told!.End!.X, replay.Told.End.Y));
+        if (replay.EndsAsJournalled is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.PositionDiffers", replay.JournalledJob!.End!.X, replay.JournalledJob.End.Y));
         if (replay.LateSeconds > 0.0) output.WriteLine(Wording.Get("Replay.Late", replay.LateSeconds));
-        if (compared is not null) output.WriteLine(compared.IsSame ? Wording.Get("Replay.Equal", compared.Same) : Wording.Get("Replay.Differs", compared.Same, compared.There ?? "", compared.Here ?? ""));
+        if (compared is not null) output.WriteLine(compared.IsSame ? Wording.Get("Replay.Equal", compared.MatchingLines) : Wording.Get("Replay.Differs", compared.MatchingLines, compared.RecordLine ?? "", compared.ReplayLine ?? ""));
     }
 
     /// <exception cref="UsageException">The record cannot be read.</exception>
@@ -55,7 +55,7 @@ internal static class ReplayVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Replay.RecordUnreadable", record, SystemReason.Of(unreadable)), unreadable);
+            throw new UsageException(Wording.Get("Replay.RecordUnreadable", record, SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 }

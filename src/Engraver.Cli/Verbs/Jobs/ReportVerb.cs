@@ -24,15 +24,15 @@ internal static class ReportVerb
         command.SetAction((parsed, stop) =>
         {
             var (settings, kept) = (drawing.Settings(parsed), parsed.GetValue(journal));
-            VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
+            VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             OutputFormat.Check(parsed.GetValue(output), ".html", ".htm");
-            if (kept is not null && !File.Exists(kept) && !File.Exists(KeptTrace.PathOf(kept))) throw new UsageException(Wording.Get("Report.NoJournal", kept));
+            if (kept is not null && !File.Exists(kept) && !File.Exists(TraceFile.PathOf(kept))) throw new UsageException(Wording.Get("Report.NoJournal", kept));
             var history = new JobHistory(JobHistory.FolderIn(null));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var request = new JobReportRequest(read, settings, ModeOption.Strategy(parsed, mode, settings), TimeProvider.System.GetUtcNow()) { Address = parsed.GetValue(connect), Rates = parsed.GetValue(rate), Journal = kept };
-            var report = JobReport.Create(request.WithRunOf(history.Look()), stop);
+            var report = JobReport.Create(request.WithRunOf(history.Refresh()), stop);
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => JobReportPage.Write(report, TimeZoneInfo.Local, writer));
-            if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
+            if (report.Run is { } run && history.Save(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
             if (report.TraceProblem is { } problem) host.Error.WriteLine(Wording.Get("Report.NoTrace", problem));
             return Task.FromResult(host.Report(parsed, read.FileName, report.Job.Diagnostics));
         });

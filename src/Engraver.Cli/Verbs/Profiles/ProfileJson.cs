@@ -10,7 +10,7 @@ namespace Engraver.Cli.Verbs.Profiles;
 /// <param name="Meaning">Sentences; empty when the profile cannot be used.</param>
 internal sealed record ProfileJson(string File, bool Ok, IReadOnlyList<DiagnosticJson> Findings, IReadOnlyList<string> Meaning)
 {
-    public static ProfileJson From(string file, MachineProfileReading read, IReadOnlyList<string> meaning) => new(file, read.Profile is not null, [.. read.Diagnostics.Select(DiagnosticJson.From)], meaning);
+    public static ProfileJson From(string file, MachineProfileReadResult read, IReadOnlyList<string> meaning) => new(file, read.Profile is not null, [.. read.Diagnostics.Select(DiagnosticJson.From)], meaning);
 }
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", GenerationMode = JsonSourceGenerationMode.Metadata)]

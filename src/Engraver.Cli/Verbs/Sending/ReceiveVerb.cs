@@ -15,7 +15,7 @@ namespace Engraver.Cli.Verbs.Sending;
 internal sealed class ReceiveVerb(VerbHost host)
 {
     /// <summary>Suffix of the file name of a program that may be incomplete, so that it is not taken for a complete one.</summary>
-    private const string TornEnding = ".part";
+    private const string IncompleteSuffix = ".part";
 
     private readonly Option<SendAddress?> _from = LineOption.New("--from", Wording.Get("Receive.From"));
     private readonly Option<string> _output = new("-o", "--output") { Required = true, HelpName = "OUT", Description = Wording.Get("Receive.Output") };
@@ -33,12 +33,12 @@ internal sealed class ReceiveVerb(VerbHost host)
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var (address, path) = (parsed.GetRequiredValue(_from)!, parsed.GetRequiredValue(_output));
-        VerbHost.CheckPlace(path);
+        VerbHost.CheckWritable(path);
         var receiver = new ProgramReceiver(address.Frame);
         var (end, reason) = await ListenAsync(receiver, address, TimeSpan.FromSeconds(parsed.GetValue(_silence)), parsed, stop).ConfigureAwait(false);
         var characters = receiver.Characters.ToArray();
         var lines = SendText.Lines(characters);
-        var file = characters.Length == 0 ? null : end == ReceiveEnd.Complete ? path : path + TornEnding;
+        var file = characters.Length == 0 ? null : end == ReceiveEnd.Complete ? path : path + IncompleteSuffix;
         IReadOnlyList<Diagnostic> findings = receiver.Damaged == 0 ? [] : [SendingRules.ParityWrong.At(new SourceRef(receiver.FirstDamagedLine), Text(receiver.Damaged), Text(receiver.FirstDamagedLine), address.Frame.Name())];
         if (file is not null) host.Write(file, writer => writer.Write(string.Concat(lines.Select(line => Encoding.Latin1.GetString(line.Span) + "\n"))));
         if (parsed.GetValue(_json)) ContractJson.Write(host.Out, new ReceiveJson(Word(end), file, lines.Count, characters.Length, receiver.Damaged, [.. findings.Select(DiagnosticJson.From)]), SendContract.Default.ReceiveJson);
@@ -54,7 +54,7 @@ internal sealed class ReceiveVerb(VerbHost host)
     {
         try
         {
-            await using var line = ProgramLine.Open(address, silence, TimeProvider.System);
+            await using var line = SerialProgramPort.Open(address, silence, TimeProvider.System);
             if (!host.Quiet(parsed)) await host.Error.WriteLineAsync(Wording.Get("Receive.Listening", address)).ConfigureAwait(false);
             var isWhole = await receiver.ListenAsync(line, silence, host.Verbose(parsed) ? new LineCount(host.Error) : null, TimeProvider.System, stop).ConfigureAwait(false);
             if (!isWhole) return (ReceiveEnd.Stopped, null);
@@ -62,7 +62,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         }
         catch (IOException gone)
         {
-            return (ReceiveEnd.LinkLost, SystemReason.Of(gone));
+            return (ReceiveEnd.LinkLost, SystemErrorText.FromException(gone));
         }
         catch (PlatformNotSupportedException unbuilt)
         {

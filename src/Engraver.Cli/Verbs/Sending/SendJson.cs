@@ -12,7 +12,7 @@ namespace Engraver.Cli.Verbs.Sending;
 /// <param name="Heard">Received characters other than XON and XOFF.</param>
 internal sealed record SendJson(string Outcome, int Lines, int OfLines, long Characters, int Holds, long Heard, double Seconds, string? Reason)
 {
-    public static SendJson From(SendResult result) => new(Word(result.Outcome), result.Lines, result.AllLines, result.Characters, result.Holds, result.Heard, result.Seconds, result.Reason);
+    public static SendJson From(SendResult result) => new(Word(result.Outcome), result.Lines, result.TotalLines, result.Characters, result.Pauses, result.ReceivedBytes, result.Seconds, result.Reason);
 
     private static string Word(SendOutcome outcome) => outcome switch { SendOutcome.Complete => "complete", SendOutcome.Stopped => "stopped", SendOutcome.LinkLost => "linkLost", _ => "heldTooLong" };
 }

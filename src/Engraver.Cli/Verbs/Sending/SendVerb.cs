@@ -15,18 +15,18 @@ internal sealed class SendVerb
     private readonly Argument<string> _file = new("FILE") { Description = Wording.Get("Send.File") };
     private readonly Option<SendAddress?> _to = LineOption.New("--to", Wording.Get("Send.To"));
     private readonly Option<string> _lineEnd = new("--line-end") { Description = Wording.Get("Send.LineEnd"), DefaultValueFactory = _ => "crlf" };
-    private readonly Option<int> _leader = Count("--leader", Wording.Get("Send.Leader"), SendFormat.MostNuls);
-    private readonly Option<int> _trailer = Count("--trailer", Wording.Get("Send.Trailer"), SendFormat.MostNuls);
+    private readonly Option<int> _leader = Count("--leader", Wording.Get("Send.Leader"), SendFormat.MaxNuls);
+    private readonly Option<int> _trailer = Count("--trailer", Wording.Get("Send.Trailer"), SendFormat.MaxNuls);
     private readonly Option<string> _start = Text("--start-text", Wording.Get("Send.Start"));
     private readonly Option<string> _end = Text("--end-text", Wording.Get("Send.End"));
-    private readonly Option<int> _characterDelay = Count("--character-delay", Wording.Get("Send.CharacterDelay"), LongestDelay);
-    private readonly Option<int> _lineDelay = Count("--line-delay", Wording.Get("Send.LineDelay"), LongestDelay);
-    private readonly Option<int> _longestHold = Count("--hold-timeout", Wording.Get("Send.HoldTimeout"), 86_400, 60);
+    private readonly Option<int> _characterDelay = Count("--character-delay", Wording.Get("Send.CharacterDelay"), MaxDelay);
+    private readonly Option<int> _lineDelay = Count("--line-delay", Wording.Get("Send.LineDelay"), MaxDelay);
+    private readonly Option<int> _maxPause = Count("--hold-timeout", Wording.Get("Send.HoldTimeout"), 86_400, 60);
     private readonly Option<int?> _program = new("--program") { HelpName = "N", Description = Wording.Get("Send.Program") };
     private readonly Option<bool> _json = JsonOption.New();
 
     /// <summary>Milliseconds.</summary>
-    private const int LongestDelay = 60_000;
+    private const int MaxDelay = 60_000;
 
     private SendVerb(VerbHost host)
     {
@@ -37,7 +37,7 @@ internal sealed class SendVerb
     public static Command Build(VerbHost host)
     {
         var verb = new SendVerb(host);
-        var command = new MachineCommand("send", Wording.Get("Send.Summary")) { verb._file, verb._to, verb._lineEnd, verb._leader, verb._trailer, verb._start, verb._end, verb._characterDelay, verb._lineDelay, verb._longestHold, verb._program, verb._json };
+        var command = new MachineCommand("send", Wording.Get("Send.Summary")) { verb._file, verb._to, verb._lineEnd, verb._leader, verb._trailer, verb._start, verb._end, verb._characterDelay, verb._lineDelay, verb._maxPause, verb._program, verb._json };
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -47,11 +47,11 @@ internal sealed class SendVerb
         var (address, path, format) = (parsed.GetRequiredValue(_to)!, parsed.GetRequiredValue(_file), Format(parsed));
         if (!format.Fits(address.Frame)) throw new UsageException(Wording.Get("Send.TextNotEncodable", address.Frame.Name()));
         var encoded = Read(path).Encode(parsed.GetValue(_program), format, address.Frame);
-        if (encoded.Job is not { } job) return _host.Report(parsed, path, [encoded.Why!]);
+        if (encoded.Job is not { } job) return _host.Report(parsed, path, [encoded.Refusal!]);
         var pace = new SendPace(address.Frame, address.CharacterTime)
         {
             CharacterDelay = TimeSpan.FromMilliseconds(parsed.GetValue(_characterDelay)), LineDelay = TimeSpan.FromMilliseconds(parsed.GetValue(_lineDelay)),
-            ObeysXoff = address.Flow == SerialFlow.XonXoff, LongestHold = TimeSpan.FromSeconds(parsed.GetValue(_longestHold)),
+            ObeysXoff = address.Flow == SerialFlow.XonXoff, MaxPause = TimeSpan.FromSeconds(parsed.GetValue(_maxPause)),
         };
         var result = await SendAsync(address, job, pace, parsed.GetValue(_json) || _host.Quiet(parsed), stop).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, SendJson.From(result), SendContract.Default.SendJson);
@@ -64,7 +64,7 @@ internal sealed class SendVerb
     {
         try
         {
-            await using var line = ProgramLine.Open(address, pace.LongestHold, TimeProvider.System);
+            await using var line = SerialProgramPort.Open(address, pace.MaxPause, TimeProvider.System);
             return await ProgressBar.OfSendingAsync(silent, job.Lines.Count, progress => ProgramSender.SendAsync(line, job, pace, progress, TimeProvider.System, stop)).ConfigureAwait(false);
         }
         catch (PlatformNotSupportedException unbuilt)
@@ -91,16 +91,16 @@ internal sealed class SendVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Send.CannotRead", path, SystemReason.Of(unreadable)), unreadable);
+            throw new UsageException(Wording.Get("Send.CannotRead", path, SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 
-    private static Option<int> Count(string name, string description, int most, int standard = 0)
+    private static Option<int> Count(string name, string description, int max, int standard = 0)
     {
         var option = new Option<int>(name) { HelpName = "N", Description = description, DefaultValueFactory = _ => standard };
         option.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var word }] && !(int.TryParse(word, System.Globalization.CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= most)) result.AddError(Wording.Get("Send.InvalidCount", name, word, most));
+            if (result.Tokens is [{ Value: var word }] && !(int.TryParse(word, System.Globalization.CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= max)) result.AddError(Wording.Get("Send.InvalidCount", name, word, max));
         });
         return option;
     }

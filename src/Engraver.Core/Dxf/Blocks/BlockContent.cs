@@ -5,16 +5,16 @@ using Engraver.Core.Dxf.Records;
 namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Fills a block definition.</summary>
-internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, BalanceSheet balance) : IContentTarget
+internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, ReadTally balance) : IContentTarget
 {
-    public bool Takes(EntityRecord record) => true;
+    public bool Accepts(EntityRecord record) => true;
 
     public void AddCurve(EntityRecord record, CurveShape shape)
     {
         columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
         block.EndCurve = columns.Count;
         foreach (var curve in shape.Curves) block.ExtraSteps += (long)curve.Spans.Length * (curve.Spans[0].Degree + 1) / 2;
-        block.Issues.AddRange(shape.Oddities);
+        block.Issues.AddRange(shape.Warnings);
     }
 
     public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)

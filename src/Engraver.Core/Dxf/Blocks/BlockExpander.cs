@@ -13,11 +13,11 @@ internal sealed class BlockExpander(
     CurveColumns blockCurves,
     CurveColumns drawing,
     LayerTable layers,
-    BalanceSheet balance,
+    ReadTally balance,
     int maxSteps,
     CancellationToken cancellation) : IBlockVisitor
 {
-    private readonly BlockScale _scale = new(blocks);
+    private readonly BlockWeights _scale = new(blocks);
     private readonly HashSet<BlockDefinition> _reported = [];
     private readonly HashSet<int> _lostCurves = [];
     private readonly List<DrawingPart> _parts = [];
@@ -42,7 +42,7 @@ internal sealed class BlockExpander(
             (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
         }
 
-        return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
+        return weight.HasUnfollowedInserts || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
     }
 
     /// <summary>Reports the findings of a block and of all blocks nested in it, once.</summary>
@@ -61,7 +61,7 @@ internal sealed class BlockExpander(
         }
     }
 
-    public bool Wants(BlockWeight weight) => weight.Curves > 0;
+    public bool ShouldVisit(BlockWeight weight) => weight.Curves > 0;
 
     public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
     {
@@ -80,7 +80,7 @@ internal sealed class BlockExpander(
         for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
         {
             var outcome = PlacedPart.Try(blockCurves.Parts[i], blockCurves.Curves, at, _curves, out var part);
-            if (outcome != PlacementOutcome.Exact) Tell(index, outcome);
+            if (outcome != PlacementOutcome.Exact) ReportOnce(index, outcome);
             if (outcome == PlacementOutcome.OutOfRange) return;
             if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
         }
@@ -105,7 +105,7 @@ internal sealed class BlockExpander(
     }
 
     /// <summary>Reports a block's curve once, even if it is placed many times.</summary>
-    private void Tell(int index, PlacementOutcome outcome)
+    private void ReportOnce(int index, PlacementOutcome outcome)
     {
         var refused = outcome == PlacementOutcome.OutOfRange;
         if (!(refused ? _lostCurves : _tilted).Add(index)) return;

@@ -9,7 +9,7 @@ namespace Engraver.Core.Dxf.Blocks;
 /// <summary>An INSERT as written: the block, its position and the number of copies. The block's base point is not yet subtracted.</summary>
 internal readonly record struct BlockInsert
 {
-    private const int MostCopies = short.MaxValue;
+    private const int MaxCopies = short.MaxValue;
 
     public BlockInsert(EntityRecord record)
     {
@@ -20,8 +20,8 @@ internal readonly record struct BlockInsert
         Handle = record.Handle;
         Line = record.Line;
         Invisible = record.Invisible;
-        Columns = Math.Clamp(record.Flags(70), 1, MostCopies);
-        Rows = Math.Clamp(record.Flags(71), 1, MostCopies);
+        Columns = Math.Clamp(record.Flags(70), 1, MaxCopies);
+        Rows = Math.Clamp(record.Flags(71), 1, MaxCopies);
         var direction = record.Extrusion();
         var system = direction == default ? Placement.Identity : Placement.FromExtrusion(direction);
         var rotation = Angle.FromDegrees(record.Number(50, 0.0));

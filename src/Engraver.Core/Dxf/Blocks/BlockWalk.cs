@@ -7,7 +7,7 @@ namespace Engraver.Core.Dxf.Blocks;
 /// <summary>Visits every copy of a block and of the blocks nested in it, in drawing order. Uses its own stack, so that nesting may be of any depth.</summary>
 internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, IBlockVisitor visitor, CancellationToken cancellation)
 {
-    private readonly List<Visit> _open = [];
+    private readonly List<BlockVisit> _open = [];
 
     /// <summary>Visits an insert of model space; the weight of its block is known.</summary>
     public void Through(in BlockInsert insert, BlockDefinition block)
@@ -25,12 +25,12 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     {
         cancellation.ThrowIfCancellationRequested();
         style = style with { Hidden = style.Hidden || insert.Invisible || layers.IsFrozen(style.Layer) };
-        var visit = new Visit { Insert = insert, Block = block, Outer = outer, Style = style };
+        var visit = new BlockVisit { Insert = insert, Block = block, Outer = outer, Style = style };
         Begin(ref visit);
         _open.Add(visit);
     }
 
-    private void Begin(ref Visit visit)
+    private void Begin(ref BlockVisit visit)
     {
         var insert = visit.Insert;
         visit.At = visit.Outer.After(insert.Copy((int)(visit.Copy % insert.Columns), (int)(visit.Copy / insert.Columns), visit.Block.BasePoint));
@@ -39,28 +39,28 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     }
 
     /// <summary>Draws up to the next nested insert and enters that. The visit must not be used afterwards: the list may have been reallocated.</summary>
-    private void Nested(ref Visit visit)
+    private void Nested(ref BlockVisit visit)
     {
         var nested = visit.Block.Inserts[visit.Nested++];
         Draw(ref visit, nested.BeforeCurve);
-        if (nested.Obstacle is null && blocks[nested.Insert.Block] is var child && visitor.Wants(child.Weight!)) Open(nested.Insert, child, visit.At, visit.Style.Inside(nested.Insert, layers));
+        if (nested.Obstacle is null && blocks[nested.Insert.Block] is var child && visitor.ShouldVisit(child.Weight!)) Open(nested.Insert, child, visit.At, visit.Style.Inside(nested.Insert, layers));
     }
 
-    private void Leave(ref Visit visit)
+    private void Leave(ref BlockVisit visit)
     {
         Draw(ref visit, visit.Block.EndCurve);
         if (++visit.Copy < visit.Insert.Copies) Begin(ref visit);
         else _open.RemoveAt(_open.Count - 1);
     }
 
-    private void Draw(ref Visit visit, int end)
+    private void Draw(ref BlockVisit visit, int end)
     {
         if (visit.Curve < end) visitor.Curves(visit.Curve, end, visit.At, visit.Style);
         visit.Curve = end;
     }
 
     /// <summary>An insert that is being visited.</summary>
-    private struct Visit
+    private struct BlockVisit
     {
         public BlockInsert Insert;
         public BlockDefinition Block;
@@ -83,7 +83,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
 internal interface IBlockVisitor
 {
     /// <summary>False to skip a block and everything nested in it.</summary>
-    bool Wants(BlockWeight weight);
+    bool ShouldVisit(BlockWeight weight);
 
     /// <summary>Called at the beginning of a copy of a block.</summary>
     void Enter(BlockDefinition block, in Placement at, in InsertStyle style);

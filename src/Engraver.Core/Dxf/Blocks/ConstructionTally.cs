@@ -11,7 +11,7 @@ namespace Engraver.Core.Dxf.Blocks;
 internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Maximum number of counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>
-    private const int MostSteps = 1_000_000;
+    private const int MaxSteps = 1_000_000;
 
     private readonly Dictionary<(string Type, int Layer), (long Count, SourceRef First)> _counts = [];
     private BlockWalk? _walk;
@@ -32,14 +32,14 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { ConstructionSteps: > 0 } weight) return;
         _steps = BlockWeight.Sum(_steps, BlockWeight.Times(insert.Copies, weight.ConstructionSteps));
-        if (_steps <= MostSteps) (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
+        if (_steps <= MaxSteps) (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
         else Enter(block, Placement.Identity, InsertStyle.FromModelSpace(insert) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
     }
 
     public IReadOnlyList<ConstructionCount> ToCounts() =>
         [.. _counts.Select(entry => new ConstructionCount(entry.Key.Type, entry.Key.Layer, (int)Math.Min(entry.Value.Count, int.MaxValue), entry.Value.First))];
 
-    public bool Wants(BlockWeight weight) => weight.ConstructionSteps > 0;
+    public bool ShouldVisit(BlockWeight weight) => weight.ConstructionSteps > 0;
 
     public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
     {

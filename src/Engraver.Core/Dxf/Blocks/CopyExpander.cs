@@ -8,7 +8,7 @@ namespace Engraver.Core.Dxf.Blocks;
 internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Maximum number of items, with the inserts that lead to them, that are placed.</summary>
-    private const int MostSteps = 1_000_000;
+    private const int MaxSteps = 1_000_000;
 
     private readonly List<T> _placed = [];
     private BlockWalk? _walk;
@@ -21,7 +21,7 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
 
     public void Add(T one)
     {
-        if (++_steps <= MostSteps) _placed.Add(one);
+        if (++_steps <= MaxSteps) _placed.Add(one);
         else LeftOut = true;
     }
 
@@ -30,7 +30,7 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { } weight || StepsOf(weight) == 0) return;
         var steps = BlockWeight.Times(insert.Copies, StepsOf(weight));
-        if (_steps + steps > MostSteps)
+        if (_steps + steps > MaxSteps)
         {
             LeftOut = true;
             return;
@@ -40,7 +40,7 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
         (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
     }
 
-    public bool Wants(BlockWeight weight) => StepsOf(weight) > 0;
+    public bool ShouldVisit(BlockWeight weight) => StepsOf(weight) > 0;
 
     public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
     {

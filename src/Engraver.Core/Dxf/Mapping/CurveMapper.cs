@@ -35,7 +35,7 @@ internal sealed class CurveMapper
         Shape.Begin(CurveType.Circle);
         Shape.Closed = true;
         AddArc(record, 0.0, 360.0);
-        EntitySystem.Lift(record, Shape);
+        ObjectCoordinateSystem.TransformToWorld(record, Shape);
         Finish(record);
     }
 
@@ -46,7 +46,7 @@ internal sealed class CurveMapper
         var sweep = Sweep(record, start, record.Required(51), 360.0);
         Shape.Closed = sweep == 360.0;
         AddArc(record, start, sweep);
-        EntitySystem.Lift(record, Shape);
+        ObjectCoordinateSystem.TransformToWorld(record, Shape);
         Finish(record);
     }
 
@@ -81,7 +81,7 @@ internal sealed class CurveMapper
         TakeVertices(record);
         CheckCount(record, atEndOfFile);
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (record.Flags(70) & 1) != 0, Shape);
-        EntitySystem.Lift(record, Shape);
+        ObjectCoordinateSystem.TransformToWorld(record, Shape);
         Finish(record);
     }
 
@@ -100,7 +100,7 @@ internal sealed class CurveMapper
     {
         var point = vertex.Point(10);
         var bulge = vertex.Number(42, 0.0);
-        polyline.TakeFaultOf(vertex);
+        polyline.CopyFaultFrom(vertex);
         if ((vertex.Flags(70) & PolylineFlags.FrameVertex) == 0) _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
     }
 
@@ -114,7 +114,7 @@ internal sealed class CurveMapper
         foreach (ref var vertex in CollectionsMarshal.AsSpan(_vertices)) vertex = flat ? vertex with { Z = record.Number(30, 0.0) } : vertex with { Bulge = 0.0 };
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (flags & PolylineFlags.Closed) != 0, Shape);
         if (record.Number(40, 0.0) != 0.0 || record.Number(41, 0.0) != 0.0) Note(record, DxfRules.WidthIgnored, "");
-        if (flat) EntitySystem.Lift(record, Shape);
+        if (flat) ObjectCoordinateSystem.TransformToWorld(record, Shape);
         Finish(record);
     }
 
@@ -170,11 +170,11 @@ internal sealed class CurveMapper
     {
         if (!Shape.IsInRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
         if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, Wording.Get("CurveMapper.PointsCoincide"));
-        if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
+        if (record.Warning is { } odd) Shape.Warnings.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
     }
 
-    private void Note(EntityRecord record, DiagnosticRule rule, string detail) => Shape.Oddities.Add(record.Finding(rule, detail, refused: false));
+    private void Note(EntityRecord record, DiagnosticRule rule, string detail) => Shape.Warnings.Add(record.Finding(rule, detail, refused: false));
 }
 
 /// <summary>Group 70 of POLYLINE and VERTEX.</summary>

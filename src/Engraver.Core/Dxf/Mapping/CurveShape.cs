@@ -16,7 +16,7 @@ internal sealed class CurveShape
     public bool Closed { get; set; }
 
     /// <summary>Findings about the record, which was accepted nevertheless.</summary>
-    public List<RecordIssue> Oddities { get; } = [];
+    public List<RecordIssue> Warnings { get; } = [];
 
     public ReadOnlySpan<DrawingPart> Parts => _parts.AsSpan(0, _count);
 
@@ -58,7 +58,7 @@ internal sealed class CurveShape
         Closed = false;
         _count = 0;
         Curves.Clear();
-        Oddities.Clear();
+        Warnings.Clear();
     }
 
     public void Add(in DrawingPart part)

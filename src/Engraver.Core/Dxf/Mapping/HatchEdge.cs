@@ -36,7 +36,7 @@ internal static class HatchEdge
     public static void AddArc(EntityRecord record, ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
     {
         var radius = Math.Abs(Value(edge, 40, 0.0));
-        var (start, sweep) = Course(record, edge, shape, angle => angle);
+        var (start, sweep) = SpanOf(record, edge, shape, angle => angle);
         if (radius > 0.0 && sweep != 0.0) shape.Add(Drawings.DrawingPart.Arc(0, new ArcSegment(Point(edge, 10), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), elevation));
     }
 
@@ -46,7 +46,7 @@ internal static class HatchEdge
     {
         var (centre, major, ratio) = (Point(edge, 10), Point(edge, 11), Value(edge, 40, 1.0));
         if (ratio == 0.0 || major == default) return;
-        var (start, sweep) = Course(record, edge, shape, angle => ToParameter(angle, Math.Abs(ratio)));
+        var (start, sweep) = SpanOf(record, edge, shape, angle => ToParameter(angle, Math.Abs(ratio)));
         if (sweep == 0.0) return;
         shape.Add(new EllipseArc(
             new Vector3D(centre.X, centre.Y, elevation), new Vector3D(major.X, major.Y, 0.0), new Vector3D(-major.Y * ratio, major.X * ratio, 0.0), Angle.FromDegrees(start), Angle.FromDegrees(sweep)));
@@ -58,11 +58,11 @@ internal static class HatchEdge
     private static Point2D Point(ReadOnlySpan<CodedNumber> edge, int code) => new(Value(edge, code, 0.0), Value(edge, code + 10, 0.0));
 
     /// <summary>The turn is that of the written angles: in a flat ellipse one degree beyond a whole turn becomes a large change of the parameter.</summary>
-    private static (double Start, double Sweep) Course(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape, Func<double, double> parameter)
+    private static (double Start, double Sweep) SpanOf(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape, Func<double, double> parameter)
     {
         var (first, last) = (Value(edge, 50, 0.0), Value(edge, 51, 360.0));
         var span = TurnSpan.Between(first, last, 360.0);
-        if (span.IsWrapped) shape.Oddities.Add(record.Finding(DxfRules.MoreThanOneTurn, (last - first).ToString(CultureInfo.InvariantCulture), refused: false));
+        if (span.IsWrapped) shape.Warnings.Add(record.Finding(DxfRules.MoreThanOneTurn, (last - first).ToString(CultureInfo.InvariantCulture), refused: false));
         var start = parameter(first);
         var sweep = span.Sweep == 360.0 ? 360.0 : parameter(first + span.Sweep) - start;
         return Value(edge, 73, 1.0) == 0.0 ? (-start, -sweep) : (start, sweep);

@@ -29,7 +29,7 @@ internal sealed class HatchMapper
             shape.Begin(CurveType.Hatch);
             if (((int)pairs[at].Value & PolylineFlag) != 0) AddPolyline(loop, elevation, shape);
             else AddEdges(record, loop, elevation, shape);
-            EntitySystem.Lift(record, shape);
+            ObjectCoordinateSystem.TransformToWorld(record, shape);
             loops.Add(shape);
             at = next;
         }

@@ -91,7 +91,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
             var shape = Begin(record.Type switch { "SOLID" => CurveType.Solid, "TRACE" => CurveType.Trace, _ => CurveType.Face3D });
             for (; edge < corners.Count && (hidden & (1 << Math.Min(edge, AllEdges - 1))) == 0; edge++) VertexRun.AddLine(corners[edge], corners[(edge + 1) % corners.Count], shape);
             shape.Closed = hidden == 0;
-            if (flat) EntitySystem.Lift(record, shape);
+            if (flat) ObjectCoordinateSystem.TransformToWorld(record, shape);
             if (!shape.Parts.IsEmpty) Shapes.Add(shape);
         }
     }

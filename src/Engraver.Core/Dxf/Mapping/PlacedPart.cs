@@ -112,16 +112,3 @@ internal static class PlacedPart
         return true;
     }
 }
-
-/// <summary>Result of transforming a part.</summary>
-internal enum PlacementOutcome
-{
-    /// <summary>Transformed exactly (a circle may have become an ellipse).</summary>
-    Exact,
-
-    /// <summary>Transformed exactly but not level: its plan view is cut.</summary>
-    Tilted,
-
-    /// <summary>A coordinate is no longer a usable number.</summary>
-    OutOfRange,
-}

@@ -62,7 +62,7 @@ internal sealed class SplineMapper
     }
 
     private static void Note(EntityRecord record, CurveShape shape, DiagnosticRule rule, string detail) =>
-        shape.Oddities.Add(record.Finding(rule, detail, refused: false));
+        shape.Warnings.Add(record.Finding(rule, detail, refused: false));
 
     private static Vector3D? Tangent(EntityRecord record, int code) =>
         record.Has(code) ? new Vector3D(record.Number(code, 0.0), record.Number(code + 10, 0.0), record.Number(code + 20, 0.0)) : null;

@@ -57,13 +57,13 @@ internal sealed class EntityRecord
 
     /// <summary>True when two records have been merged because the head of the second is lost: after a doubled code a value or another point is
     /// repeated.</summary>
-    public bool HoldsTwo => DoubledCode != 0 && (_placedAgain || RepeatedCode != 0);
+    public bool IsMergedFromTwo => DoubledCode != 0 && (_placedAgain || RepeatedCode != 0);
 
     /// <summary>The first value that could not be read: the record must then be refused.</summary>
     public RecordIssue? Fault { get; private set; }
 
     /// <summary>A finding about the spelling of one of its values that could be read nevertheless; null for none.</summary>
-    public RecordIssue? Oddity { get; set; }
+    public RecordIssue? Warning { get; set; }
 
     /// <summary>Texts in file order, for records that are kept pair by pair; a 100 is also in <see cref="Sequence"/>, with its index here.</summary>
     public List<CodedText> Texts { get; } = [];
@@ -95,7 +95,7 @@ internal sealed class EntityRecord
         _counted = 0;
         (_placed, _placedAgain) = (kind == RecordKind.Polyline, false); // its points are those of its vertices
         Fault = null;
-        Oddity = null;
+        Warning = null;
         _embedded = false;
         Texts.Clear();
         Sequence.Clear();
@@ -203,10 +203,10 @@ internal sealed class EntityRecord
     public void Refuse(DiagnosticRule rule, int line, string detail) => Fault ??= Finding(rule, detail, refused: true) with { Line = line };
 
     /// <summary>Makes the fault of a part (a VERTEX) the fault of the whole.</summary>
-    public void TakeFaultOf(EntityRecord part)
+    public void CopyFaultFrom(EntityRecord part)
     {
         if (part.Fault is { } fault) Refuse(fault.Rule, fault.Line, fault.Detail);
-        Oddity ??= part.Oddity;
+        Warning ??= part.Warning;
     }
 
     public RecordIssue Finding(DiagnosticRule rule, string detail, bool refused) => new(rule, Type, Handle, Line, detail, refused);
@@ -219,9 +219,6 @@ internal sealed class EntityRecord
         return slots;
     }
 }
-
-/// <summary>A number with its group code, for records in which codes repeat (vertices of an LWPOLYLINE).</summary>
-internal readonly record struct CodedNumber(int Code, double Value);
 
 /// <summary>A text with its group code.</summary>
 internal readonly record struct CodedText(int Code, string Value);

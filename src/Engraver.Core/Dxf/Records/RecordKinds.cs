@@ -18,7 +18,7 @@ internal static class RecordKinds
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
     /// <summary>The known types of ENTITIES and BLOCKS, by how they are handled; docs/diagnostics.md lists them.</summary>
-    public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> Handling() =>
     [
         (Wording.Get("RecordKinds.Cut"), TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
         (Wording.Get("RecordKinds.CutIfNamed"), TypesOf(IsOutline)),

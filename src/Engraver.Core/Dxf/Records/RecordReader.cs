@@ -19,7 +19,7 @@ internal sealed class RecordReader
     private readonly CancellationToken _cancellation;
     private readonly int _layerZero;
     private int _nextType;
-    private double _told;
+    private double _reportedProgress;
 
     private readonly TextDecoding _decode;
     private readonly CutChoice _cut;
@@ -36,7 +36,7 @@ internal sealed class RecordReader
         Blocks = blocks;
         Linetypes = new NameTable(bytes => decode(bytes));
         _layerZero = layers.IdOf("0");
-        PassOver();
+        SkipSilently();
     }
 
     public NameTable Layers { get; }
@@ -63,7 +63,7 @@ internal sealed class RecordReader
     /// <summary>The next record's type name, in capitals.</summary>
     public string NextType => _types[_nextType];
 
-    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="PassOver()"/> then skips to
+    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="SkipSilently()"/> then skips to
     /// the record after.</summary>
     public (int Position, int Line) Bookmark() => _tags.Bookmark();
 
@@ -71,12 +71,12 @@ internal sealed class RecordReader
     public void Read(EntityRecord record)
     {
         _cancellation.ThrowIfCancellationRequested();
-        if (Progress is { } progress) Tell(progress);
+        if (Progress is { } progress) ReportProgress(progress);
         record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
         var (damages, start) = (_tags.DamageCount, _tags.Bookmark());
         while (_tags.Read() && _tags.Code != 0) Accept(record);
-        if (record.HoldsTwo || (record.DoubledCode != 0 && NamesRecord(start))) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
-        Settle();
+        if (record.IsMergedFromTwo || (record.DoubledCode != 0 && NamesRecord(start))) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
+        ReadNextType();
         if (_tags.DamageCount != damages) record.Refuse(DxfRules.DamagedRecord, _tags.DamageLine, _tags.DamageText);
         if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
     }
@@ -91,7 +91,7 @@ internal sealed class RecordReader
     private void Skip(RecordKind kind, string type)
     {
         _cancellation.ThrowIfCancellationRequested();
-        TellNameless();
+        ReportNameless();
         var damages = _tags.DamageCount;
         var (variables, foreign) = (false, default(RecordIssue?));
         while (_tags.Read() && _tags.Code != 0)
@@ -103,24 +103,24 @@ internal sealed class RecordReader
 
         if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, Wording.Get("RecordReader.NotGroupCode", _tags.DamageText), Refused: true);
         if (foreign is { } trouble) _log.Add(trouble);
-        Settle();
+        ReadNextType();
     }
 
     /// <summary>Skips the next record without a report: it is read later, or its section is not part of the drawing.</summary>
-    public void PassOver()
+    public void SkipSilently()
     {
         _cancellation.ThrowIfCancellationRequested();
-        TellNameless();
+        ReportNameless();
         while (_tags.Read() && _tags.Code != 0)
         {
         }
 
-        Settle();
+        ReadNextType();
     }
 
     /// <summary>Reports a record without a name, which no program writes: zeros in a binary file are read as one, and the data that they overwrote is
     /// lost.</summary>
-    private void TellNameless()
+    private void ReportNameless()
     {
         if (_types.Count > 0 && Next == RecordKind.Unknown && NextType.Length == 0) _log.Add(new RecordIssue(DxfRules.NameDamaged, "", 0, NextLine, DamagedName.Fault("")!, Refused: true));
     }
@@ -145,20 +145,20 @@ internal sealed class RecordReader
     public void Skip(Action<DxfTagSource> take)
     {
         while (_tags.Read() && _tags.Code != 0) take(_tags);
-        Settle();
+        ReadNextType();
     }
 
-    private void Tell(IProgress<double> progress)
+    private void ReportProgress(IProgress<double> progress)
     {
         const double Step = 0.01;
-        if (_tags.Part < _told + Step) return;
-        progress.Report(_told = _tags.Part);
+        if (_tags.Part < _reportedProgress + Step) return;
+        progress.Report(_reportedProgress = _tags.Part);
     }
 
     /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must be called next.</summary>
     public string EnterSection() => _tags.Read() ? Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant() : "";
 
-    private void Settle()
+    private void ReadNextType()
     {
         Truncated = _tags.AtEnd;
         NextLine = _tags.Line;
@@ -260,7 +260,7 @@ internal sealed class RecordReader
     {
         value = 0.0;
         if (_tags.IsBinary || !ForeignNumber.TryParse(_tags.Value, out value)) return false;
-        record.Oddity ??= record.Finding(DxfRules.OddNumber, Wording.Get("RecordReader.GroupReadAs", ShownText(), code, value), refused: false) with { Line = _tags.ValueLine };
+        record.Warning ??= record.Finding(DxfRules.OddNumber, Wording.Get("RecordReader.GroupReadAs", ShownText(), code, value), refused: false) with { Line = _tags.ValueLine };
         return true;
     }
 

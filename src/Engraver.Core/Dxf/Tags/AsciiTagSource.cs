@@ -14,20 +14,20 @@ internal sealed class AsciiTagSource : DxfTagSource
     /// <summary>Bytes that must remain in the file for the fast reading of a pair, which does not test for the end at every byte.</summary>
     private const int PlainMargin = 64;
 
-    private const int MostBlanks = 8;
+    private const int MaxBlanks = 8;
 
     /// <summary>Minimum number of bytes to wait for before a pair is read: in a DXF of AutoCAD no line has more than 2,049.</summary>
-    private const int Ahead = 1 << 12;
+    private const int MinBytesAhead = 1 << 12;
 
     private static readonly SearchValues<byte> KeywordBytes = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"u8);
     private int _valueStart;
     private int _valueLength;
 
-    public AsciiTagSource(IArrivingBytes file)
+    public AsciiTagSource(IProgressiveBytes file)
         : base(file)
     {
         NextLine = 1;
-        WaitFor(Ahead);
+        WaitFor(MinBytesAhead);
         if (Bytes.StartsWith("\uFEFF"u8)) Position = 3;
     }
 
@@ -38,15 +38,15 @@ internal sealed class AsciiTagSource : DxfTagSource
     public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
 
     /// <summary>Reads a common pair fast; an unusual one is not consumed and is read by the general method.</summary>
-    protected override bool ReadPair() => TryPlainPair() || TryPairToCome() || ReadAnyPair();
+    protected override bool ReadPair() => TryPlainPair() || TryIncompletePair() || ReadAnyPair();
 
     /// <summary>While the file arrives: waits for more where the pair may be incomplete, and for the whole file where it is unusual, because the general method
     /// reads ahead to the end.</summary>
-    private bool TryPairToCome()
+    private bool TryIncompletePair()
     {
         while (!IsWhole)
         {
-            if (Bytes.Length - Position < Ahead) WaitFor((int)Math.Min((long)Position + Ahead, int.MaxValue));
+            if (Bytes.Length - Position < MinBytesAhead) WaitFor((int)Math.Min((long)Position + MinBytesAhead, int.MaxValue));
             else WaitForAll();
             if (TryPlainPair()) return true;
         }
@@ -61,7 +61,7 @@ internal sealed class AsciiTagSource : DxfTagSource
         var at = Position;
         if (bytes.Length - at < PlainMargin) return false;
         ref var first = ref MemoryMarshal.GetReference(bytes);
-        while (Unsafe.Add(ref first, at) == ' ' && at - Position < MostBlanks) at++;
+        while (Unsafe.Add(ref first, at) == ' ' && at - Position < MaxBlanks) at++;
         var code = (uint)Unsafe.Add(ref first, at) - '0';
         if (code > 9) return false;
         var digit = (uint)Unsafe.Add(ref first, ++at) - '0';

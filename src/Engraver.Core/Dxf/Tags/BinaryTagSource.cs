@@ -12,7 +12,7 @@ internal sealed class BinaryTagSource : DxfTagSource
     private int _valueLength;
     private BinaryValueType _type;
 
-    public BinaryTagSource(IArrivingBytes file)
+    public BinaryTagSource(IProgressiveBytes file)
         : base(file)
     {
         WaitForAll();

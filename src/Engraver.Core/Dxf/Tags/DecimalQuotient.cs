@@ -10,12 +10,12 @@ namespace Engraver.Core.Dxf.Tags;
 /// </remarks>
 internal static class DecimalQuotient
 {
-    public const int MostDecimals = 22;
+    public const int MaxDecimals = 22;
 
-    private static readonly (ulong High, ulong Low, int Exponent)[] Reciprocals = [.. Enumerable.Range(0, MostDecimals + 1).Select(Reciprocal)];
+    private static readonly (ulong High, ulong Low, int Exponent)[] Reciprocals = [.. Enumerable.Range(0, MaxDecimals + 1).Select(Reciprocal)];
 
     /// <param name="mantissa">Above 0.</param>
-    /// <param name="decimals">Power of ten to divide by, 0 to <see cref="MostDecimals"/>.</param>
+    /// <param name="decimals">Power of ten to divide by, 0 to <see cref="MaxDecimals"/>.</param>
     /// <param name="value">The nearest double.</param>
     public static bool TryRound(ulong mantissa, int decimals, out double value)
     {

@@ -12,10 +12,10 @@ internal static class DxfNumber
     private const ulong LargestExactMantissa = 1UL << 53;
 
     /// <summary>Maximum number of decimal digits that fit 64 bits.</summary>
-    private const int MostDigits = 19;
+    private const int MaxDigits = 19;
 
     /// <summary>Longest number for the fast path, with sign and point.</summary>
-    private const int LongestPlain = MostDigits + 2;
+    private const int LongestPlain = MaxDigits + 2;
 
     /// <summary>10^0 to 10^22: the powers of ten that a double holds exactly.</summary>
     private static readonly double[] PowersOfTen =
@@ -45,7 +45,7 @@ internal static class DxfNumber
         }
 
         var decimals = Math.Max(0, text.Length - point - 1);
-        if (text.Length - digits - (point < text.Length ? 1 : 0) is 0 or > MostDigits) return false;
+        if (text.Length - digits - (point < text.Length ? 1 : 0) is 0 or > MaxDigits) return false;
         if (mantissa <= LargestExactMantissa) value = mantissa / PowersOfTen[decimals];
         else if (!DecimalQuotient.TryRound(mantissa, decimals, out value)) return false;
         if (negative) value = -value;

@@ -2,7 +2,7 @@ namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
 /// <param name="arriving">The file; no byte is read before it has arrived.</param>
-internal abstract class DxfTagSource(IArrivingBytes arriving)
+internal abstract class DxfTagSource(IProgressiveBytes arriving)
 {
     private const int CommentCode = 999;
 

@@ -40,29 +40,3 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>Smallest box of the curves; empty when there are none.</summary>
     public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => entity.Segments.Aggregate(box, (all, segment) => all.Union(segment.Bounds)));
 }
-
-/// <summary>A layer of a written drawing.</summary>
-/// <param name="Name">Written in ASCII; every other character is escaped.</param>
-/// <param name="Colour">Colour index, 1 to 255.</param>
-/// <param name="Plots">False for a layer that is shown but not cut: the reader of this package, like a plotter, leaves it out unless it is selected.</param>
-public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
-{
-    public bool On { get; init; } = true;
-
-    public bool Frozen { get; init; }
-
-    /// <summary>Its objects cannot be changed.</summary>
-    public bool Locked { get; init; }
-
-    /// <summary>True colour as 0x00RRGGBB, which has precedence over the index; null for none.</summary>
-    public uint? Rgb { get; init; }
-}
-
-/// <summary>A text of a written drawing.</summary>
-/// <param name="Text">The text as read; an MTEXT is written as MTEXT, every other as TEXT.</param>
-/// <param name="Layer">Name of one of the sheet's layers.</param>
-public readonly record struct DxfSheetText(PlacedText Text, string Layer);
-
-/// <summary>A point of a written drawing.</summary>
-/// <param name="Layer">Name of one of the sheet's layers.</param>
-public readonly record struct DxfSheetPoint(PlacedPoint Point, string Layer);

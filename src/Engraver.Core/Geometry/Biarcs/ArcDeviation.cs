@@ -13,9 +13,9 @@ internal static class ArcDeviation
     /// <summary>Part of the tolerance by which a piece may extend beyond the ends of its arc; the rest is for the distance from it.</summary>
     public const double EndShare = 0.02;
 
-    private const int MostHalvings = 7;
+    private const int MaxHalvings = 7;
 
-    public static bool IsWithin(BezierSpan piece, in TangentArc arc, double tolerance) => IsWithin(piece, arc, tolerance, MostHalvings);
+    public static bool IsWithin(BezierSpan piece, in TangentArc arc, double tolerance) => IsWithin(piece, arc, tolerance, MaxHalvings);
 
     private static bool IsWithin(BezierSpan piece, in TangentArc arc, double tolerance, int halvings)
     {

@@ -29,7 +29,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         var tried = double.NaN;
         for (var proof = 0; proof < Proofs; proof++)
         {
-            var share = Likeliest(start, leaving, end, arriving, tried);
+            var share = MostLikely(start, leaving, end, arriving, tried);
             if (double.IsNaN(share) || Biarc.Between(start, leaving, end, arriving, share) is not { } pair) return null;
             if (IsWithin(from, to, pair)) return pair;
             tried = share;
@@ -70,13 +70,13 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return arriving.Dot(tangent) > 0.5 ? arriving.Cross(tangent) : double.NaN;
     }
 
-    private double Likeliest(Point2D start, Vector2D leaving, Point2D end, Vector2D arriving, double tried)
+    private double MostLikely(Point2D start, Vector2D leaving, Point2D end, Vector2D arriving, double tried)
     {
         var (least, best) = (tolerance, double.NaN);
         foreach (var share in Shares)
         {
             if (share == tried || Biarc.Between(start, leaving, end, arriving, share) is not { } pair) continue;
-            var stray = Stray(pair, least);
+            var stray = MaxDeviation(pair, least);
             if (stray < least) (least, best) = (stray, share);
             if (least < tolerance / 2.0) break;
         }
@@ -85,7 +85,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
     }
 
     /// <summary>Largest distance of a sample from its arc; once it exceeds <paramref name="enough"/>, any value above that.</summary>
-    private double Stray(in Biarc pair, double enough)
+    private double MaxDeviation(in Biarc pair, double enough)
     {
         var (joint, tangent) = (pair.Second.Start, pair.Second.StartTangent);
         var most = 0.0;

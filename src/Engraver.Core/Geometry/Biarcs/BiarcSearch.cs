@@ -10,7 +10,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     /// <summary>After this number of lines in a row, rounding and not a cusp prevents arcs (a small curve far from the origin), and the search is
     /// abandoned.</summary>
-    private const int MostLines = 16;
+    private const int MaxLines = 16;
 
     private const double SmallestStep = 1e-12;
 
@@ -35,7 +35,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
             else
             {
                 lines = pair is null ? lines + 1 : 0;
-                if (lines > MostLines) to = Math.Min(run.End, Math.Max(to, from + Math.ScaleB(SmallestStep, lines - MostLines)));
+                if (lines > MaxLines) to = Math.Min(run.End, Math.Max(to, from + Math.ScaleB(SmallestStep, lines - MaxLines)));
                 Add(from, to, pair);
                 tangent = pair?.Second.EndTangent ?? run.TangentAt(to);
             }
@@ -77,7 +77,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
             var to = (good + bad) / 2.0;
             if (to <= good || to >= bad) break;
             if (FitBetween(from, tangent, to) is { } pair) (good, best) = (to, pair);
-            else if (best is null && IsSpeck(from, to)) return (to, null);
+            else if (best is null && IsNegligible(from, to)) return (to, null);
             else bad = to;
         }
 
@@ -112,7 +112,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
     }
 
     /// <summary>True when all control points are within half the tolerance of the start: a line is then near enough, whatever the shape of the curve.</summary>
-    private bool IsSpeck(double from, double to)
+    private bool IsNegligible(double from, double to)
     {
         var start = run.PlaceAt(from);
         foreach (var piece in run.Between(from, to))

@@ -7,7 +7,7 @@ public static class HandSpeed
     /// faster than a jog without the second control, and no faster than its axes search their switches.</summary>
     /// <param name="isHomed">Null for a machine without homing.</param>
     /// <returns>Speed of each axis, mm/min.</returns>
-    public static double Fastest(MachineProfile profile, bool? isHomed)
+    public static double Max(MachineProfile profile, bool? isHomed)
     {
         ArgumentNullException.ThrowIfNull(profile);
         if (isHomed != false) return profile.RapidMmPerMinute;

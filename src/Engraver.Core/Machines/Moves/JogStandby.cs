@@ -51,13 +51,13 @@ public sealed class JogStandby
     }
 
     /// <summary>The jog has ended, and the machine is ready for the next one.</summary>
-    public void Stands(JobResult result) => TakeJog(isOver: false)?.TrySetResult(result);
+    public void CompleteJog(JobResult result) => TakeJog(isOver: false)?.TrySetResult(result);
 
     /// <summary>The machine is no longer kept ready; a requested or running jog ended with this result.</summary>
-    public void Over(JobResult result) => TakeJog(isOver: true)?.TrySetResult(result);
+    public void Complete(JobResult result) => TakeJog(isOver: true)?.TrySetResult(result);
 
     /// <summary>The machine is no longer kept ready because of a failure.</summary>
-    public void Over(Exception failure) => TakeJog(isOver: true)?.TrySetException(failure);
+    public void Complete(Exception failure) => TakeJog(isOver: true)?.TrySetException(failure);
 
     private TaskCompletionSource<JobResult>? TakeJog(bool isOver)
     {

@@ -3,7 +3,7 @@ namespace Engraver.Core.Machines.Moves;
 /// <summary>The range of counts in which a motion program moves the axes, job frame. In plan: strokes with the bulge of their arcs, and the rapids to the first
 /// stroke, between strokes and to the finish.</summary>
 /// <param name="Cuts">The heights of its strokes; null for a program without strokes.</param>
-public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX, long MostY, CountsRange? Cuts = null)
+public readonly record struct MotionExtents(long MinX, long MinY, long MaxX, long MaxY, CountsRange? Cuts = null)
 {
     public static MotionExtents Of(MotionProgram program)
     {
@@ -29,15 +29,15 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
     }
 
     /// <summary>The heights that the tool's axis reaches, above the drawing's height 0: from the deepest cut to the clearance height of the rapids; in a dry
-    /// run raised by <see cref="DryLift"/>.</summary>
+    /// run raised by <see cref="DryRunLift"/>.</summary>
     /// <returns>Null where no axis is the tool drive, or nothing is cut: the height does not change.</returns>
     public CountsRange? Heights(MachineProfile profile, bool dryRun)
     {
         ArgumentNullException.ThrowIfNull(profile);
         if (profile.Height is null || Cuts is not { } cuts) return null;
-        var lift = dryRun ? DryLift.Of(profile, this) : 0;
+        var lift = dryRun ? DryRunLift.Of(profile, this) : 0;
         var reached = cuts.With(profile.ClearanceCounts);
-        return new CountsRange(reached.Least + lift, reached.Most + lift);
+        return new CountsRange(reached.Min + lift, reached.Max + lift);
     }
 
     private static MotionExtents At(CountsPoint point) => new(point.X, point.Y, point.X, point.Y);
@@ -46,10 +46,10 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
 
     private MotionExtents With(double x, double y) => this with
     {
-        LeastX = Math.Min(LeastX, (long)Math.Floor(x)),
-        LeastY = Math.Min(LeastY, (long)Math.Floor(y)),
-        MostX = Math.Max(MostX, (long)Math.Ceiling(x)),
-        MostY = Math.Max(MostY, (long)Math.Ceiling(y)),
+        MinX = Math.Min(MinX, (long)Math.Floor(x)),
+        MinY = Math.Min(MinY, (long)Math.Floor(y)),
+        MaxX = Math.Max(MaxX, (long)Math.Ceiling(x)),
+        MaxY = Math.Max(MaxY, (long)Math.Ceiling(y)),
     };
 
     private MotionExtents With(CountsPoint from, in VectorSegment segment)
@@ -67,10 +67,4 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
 
         return extents;
     }
-}
-
-/// <summary>A range of counts of one axis; both ends are reached.</summary>
-public readonly record struct CountsRange(long Least, long Most)
-{
-    public CountsRange With(long counts) => new(Math.Min(Least, counts), Math.Max(Most, counts));
 }

@@ -5,7 +5,7 @@ namespace Engraver.Core.Machines.Moves;
 /// <summary>The travel of the axes of a machine: the only place that decides whether a move leaves the travel, for jogs, moves to a point, jobs and their
 /// frames.</summary>
 /// <remarks>The travel is given in machine millimetres, from the controller's own zero, so it is valid only while that zero is where the profile assumes it
-/// (<see cref="Origins.MachineMemory"/>).</remarks>
+/// (<see cref="Origins.StoredMachineState"/>).</remarks>
 public static class TravelLimits
 {
     /// <summary>The axes that have a travel, with its ends in counts.</summary>
@@ -19,7 +19,7 @@ public static class TravelLimits
     public static SoftLimit? Of(MachineAxis axis)
     {
         if (axis.Travel is not { } travel) return null;
-        var (one, other) = (axis.Scale.Exact(travel.Least), axis.Scale.Exact(travel.Most));
+        var (one, other) = (axis.Scale.Exact(travel.Min), axis.Scale.Exact(travel.Max));
         return new SoftLimit(axis.Letter, Clamp(Math.Ceiling(Math.Min(one, other))), Clamp(Math.Floor(Math.Max(one, other))));
     }
 
@@ -35,10 +35,10 @@ public static class TravelLimits
         var axes = profile.Axes.All;
         for (var i = 0; i < Math.Min(axes.Count, least.Count); i++)
         {
-            if (Of(axes[i]) is not { } limit || (least[i] >= limit.Least && most[i] <= limit.Most)) continue;
-            var outside = least[i] < limit.Least ? least[i] : most[i];
+            if (Of(axes[i]) is not { } limit || (least[i] >= limit.Min && most[i] <= limit.Max)) continue;
+            var outside = least[i] < limit.Min ? least[i] : most[i];
             var travel = axes[i].Travel!;
-            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(axes[i].Scale.ToMillimetres(outside), 3), NumberText.Rounded(travel.Least, 3), NumberText.Rounded(travel.Most, 3));
+            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(axes[i].Scale.ToMillimetres(outside), 3), NumberText.Rounded(travel.Min, 3), NumberText.Rounded(travel.Max, 3));
         }
 
         return null;
@@ -62,7 +62,7 @@ public static class TravelLimits
         for (var i = 0; i < (withHeight ? axes.Count : 2); i++)
         {
             var length = Math.Abs(axes[i].Scale.ToMillimetres(step[i]));
-            if (axes[i].Travel is { } travel && length > travel.Most - travel.Least) return PreparationRules.StepBeyondTravel.At(default, NumberText.Rounded(length, 3), profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(travel.Most - travel.Least, 3));
+            if (axes[i].Travel is { } travel && length > travel.Max - travel.Min) return PreparationRules.StepBeyondTravel.At(default, NumberText.Rounded(length, 3), profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(travel.Max - travel.Min, 3));
         }
 
         return null;
@@ -71,31 +71,23 @@ public static class TravelLimits
     /// <summary>The same check for a job whose drawing zero is at these counts: its path in plan, and where an axis is the tool drive the heights from its
     /// deepest cut to its clearance.</summary>
     /// <param name="profile">The machine with its travel; the axes of the program's own profile are in the same order.</param>
-    /// <param name="dryRun">The tool stays out of the work: all motion is raised (<see cref="DryLift"/>).</param>
+    /// <param name="dryRun">The tool stays out of the work: all motion is raised (<see cref="DryRunLift"/>).</param>
     public static Diagnostic? Refusal(MachineProfile profile, MotionProgram program, CountsPoint frame, bool dryRun)
     {
         ArgumentNullException.ThrowIfNull(profile);
         ArgumentNullException.ThrowIfNull(program);
         if (Of(profile).Count == 0) return null;
         var extents = MotionExtents.Of(program);
-        if (Refusal(profile, [extents.LeastX + frame.X, extents.LeastY + frame.Y], [extents.MostX + frame.X, extents.MostY + frame.Y]) is { } inPlan) return inPlan;
+        if (Refusal(profile, [extents.MinX + frame.X, extents.MinY + frame.Y], [extents.MaxX + frame.X, extents.MaxY + frame.Y]) is { } inPlan) return inPlan;
         if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
-        var (least, most) = (heights.Least + frame.Z, heights.Most + frame.Z);
-        if (least >= limit.Least && most <= limit.Most) return null;
-        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), NumberText.Rounded(axis.Scale.ToMillimetres(least < limit.Least ? least : most), 3));
-        var (down, up) = (NumberText.Rounded(axis.Travel!.Least, 3), NumberText.Rounded(axis.Travel.Most, 3));
+        var (least, most) = (heights.Min + frame.Z, heights.Max + frame.Z);
+        if (least >= limit.Min && most <= limit.Max) return null;
+        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), NumberText.Rounded(axis.Scale.ToMillimetres(least < limit.Min ? least : most), 3));
+        var (down, up) = (NumberText.Rounded(axis.Travel!.Min, 3), NumberText.Rounded(axis.Travel.Max, 3));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, NumberText.Rounded(axis.Scale.ToMillimetres(DryLift.Of(program.Profile, extents)), 3), name, place, down, up)
+            ? PreparationRules.DryRunOutsideTravel.At(default, NumberText.Rounded(axis.Scale.ToMillimetres(DryRunLift.Of(program.Profile, extents)), 3), name, place, down, up)
             : PreparationRules.HeightOutsideTravel.At(default, name, place, down, up);
     }
 
     private static int Clamp(double counts) => (int)Math.Clamp(counts, int.MinValue, int.MaxValue);
-}
-
-/// <summary>The ends of an axis' travel, counts from the controller's own zero; both may be reached.</summary>
-/// <param name="Axis">The controller's letter.</param>
-public readonly record struct SoftLimit(char Axis, int Least, int Most)
-{
-    /// <summary>No limit, as while an axis is homed and its position is unknown.</summary>
-    public static SoftLimit None(char axis) => new(axis, int.MinValue, int.MaxValue);
 }

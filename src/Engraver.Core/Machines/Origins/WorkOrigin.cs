@@ -11,7 +11,7 @@ public sealed record WorkOrigin(long? X, long? Y, int? Z = null)
 
     /// <summary>Axes of the machine profile with which each axis was set; empty for an assumed origin, which is where the controller counts 0 under every
     /// profile.</summary>
-    public KeptAxes Axes { get; init; }
+    public StoredAxes Axes { get; init; }
 
     /// <summary>The position of both plane axes; null while one of them is not set. A height that is not set counts 0.</summary>
     public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y, Z ?? 0) : null;
@@ -24,16 +24,4 @@ public sealed record WorkOrigin(long? X, long? Y, int? Z = null)
         double?[] inPlan = [X is null ? null : plane.X, Y is null ? null : plane.Y];
         return profile.Axes.Z is null ? inPlan : [.. inPlan, Z is { } z ? profile.Scale.ToMillimetres(z) : null];
     }
-}
-
-/// <summary>The names of work origins, as in G-code.</summary>
-public static class WorkOriginNames
-{
-    public const string First = "G54";
-
-    /// <summary>In the order in which they are listed.</summary>
-    public static IReadOnlyList<string> All { get; } = [First, "G55", "G56", "G57", "G58", "G59"];
-
-    /// <summary>The name in its standard spelling, for a text in any case; null when the text is not a name.</summary>
-    public static string? Find(string text) => All.FirstOrDefault(name => name.Equals(text, StringComparison.OrdinalIgnoreCase));
 }

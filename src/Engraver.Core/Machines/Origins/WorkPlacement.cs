@@ -10,36 +10,36 @@ public static class WorkPlacement
     /// <param name="memory">What is stored of the machine.</param>
     /// <param name="place">The controller's present position.</param>
     /// <param name="start">The drawing point of the start option, counts of the drawing.</param>
-    public static PlacementResult Find(MachineMemory memory, ControllerPlace place, OriginRequest request, MachineProfile profile, CountsPoint start)
+    public static PlacementResult Find(StoredMachineState memory, ControllerPosition place, OriginRequest request, MachineProfile profile, CountsPoint start)
     {
         if (NotHomed(memory, place, profile) is { } unhomed) return Refused(unhomed);
         return request switch
         {
-            OriginRequest.PresentPlace => Present(place, start),
-            OriginRequest.Given { Machine: var at } => Given(memory, place, at, profile),
-            OriginRequest.Work => Work(memory, place, profile),
+            OriginRequest.PresentPosition => Present(place, start),
+            OriginRequest.MachinePoint { Machine: var at } => Given(memory, place, at, profile),
+            OriginRequest.ActiveOrigin => Work(memory, place, profile),
             _ => throw new ArgumentOutOfRangeException(nameof(request)),
         };
     }
 
     /// <summary>The same placement, unless the job that is placed there leaves the machine's travel.</summary>
     /// <param name="dryRun">The tool stays out of the work.</param>
-    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, MachineMemory memory, ControllerPlace place)
+    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, StoredMachineState memory, ControllerPosition place)
     {
         ArgumentNullException.ThrowIfNull(found);
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(memory);
-        if (found.Frame is not { } frame || !memory.KnowsTravel(program.Profile, place)) return found;
-        return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { StaysInside = true };
+        if (found.Frame is not { } frame || !memory.IsTravelKnown(program.Profile, place)) return found;
+        return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { IsWithinTravel = true };
     }
 
     /// <summary>Why a position from the controller's own zero is not a certain position of the machine; null when it is one.</summary>
-    public static Diagnostic? WhyNotKnown(MachineMemory memory, ControllerPlace place, MachineProfile profile) => NotHomed(memory, place, profile) ?? LossOf(memory, place);
+    public static Diagnostic? PositionDoubt(StoredMachineState memory, ControllerPosition place, MachineProfile profile) => NotHomed(memory, place, profile) ?? ZeroDoubt(memory, place);
 
     /// <summary>Why the machine has to be homed first, or used with another profile; null where it is homed, or need not be.</summary>
     /// <remarks>A machine that was homed is known under its own profile: with another one its counts would be other millimetres, and its travel and its tool
     /// would be those of another machine.</remarks>
-    public static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    public static Diagnostic? NotHomed(StoredMachineState memory, ControllerPosition place, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
@@ -48,7 +48,7 @@ public static class WorkPlacement
         if (memory.IsHomedAt(profile, place)) return null;
         if (place.Doubt.Length > 0) return PreparationRules.PositionDoubted.At(default, place.Doubt);
         return memory.HomedAs == profile.HomedAs && memory.IsSameZero(place) && memory.HomedAxes.DifferenceFrom(profile) is { } other
-            ? PreparationRules.HomedByOtherCounts.At(default, NumberText.Rounded(other.Then.Counts, 3), other.Axis, NumberText.Rounded(other.Now.Counts, 3))
+            ? PreparationRules.HomedByOtherCounts.At(default, NumberText.Rounded(other.Stored.Counts, 3), other.Axis, NumberText.Rounded(other.Current.Counts, 3))
             : PreparationRules.NotHomed.At(default);
     }
 
@@ -56,12 +56,12 @@ public static class WorkPlacement
     private static Diagnostic? OtherAxes(string name, WorkOrigin origin, MachineProfile profile) => origin.Axes.DifferenceFrom(profile) switch
     {
         null => null,
-        { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, other.Axis, $"{other.Then.Letter}", $"{other.Now.Letter}"),
-        { } other => PreparationRules.SetByOtherCounts.At(default, name, NumberText.Rounded(other.Then.Counts, 3), other.Axis, NumberText.Rounded(other.Now.Counts, 3)),
+        { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, other.Axis, $"{other.Stored.Letter}", $"{other.Current.Letter}"),
+        { } other => PreparationRules.SetByOtherCounts.At(default, name, NumberText.Rounded(other.Stored.Counts, 3), other.Axis, NumberText.Rounded(other.Current.Counts, 3)),
     };
 
     /// <summary>Why the controller's position cannot be trusted according to what is stored; null when it can.</summary>
-    public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)
+    public static Diagnostic? ZeroDoubt(StoredMachineState memory, ControllerPosition place)
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
@@ -74,12 +74,12 @@ public static class WorkPlacement
     /// <summary>The height at which a tool on a tool axis travels above the work: its present height, or its clearance height where it is lower.</summary>
     /// <param name="profile">Profile of a machine with <see cref="MachineProfile.Height"/>.</param>
     /// <returns>Counts from the controller's own zero; or why the height of the work is unknown.</returns>
-    public static (int? Height, Diagnostic? Refusal) Over(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    public static (int? Height, Diagnostic? Refusal) TravelHeight(StoredMachineState memory, ControllerPosition place, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
         ArgumentNullException.ThrowIfNull(profile);
-        if (LossOf(memory, place) is { } lost) return (null, lost);
+        if (ZeroDoubt(memory, place) is { } lost) return (null, lost);
         if (memory.ActiveOrigin?.Z is null && memory.IsHomedAt(profile, place) && IsAtTop(place, profile)) return (place.Position.Z, null);
         if (memory.ActiveOrigin?.Z is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
         var clearance = work + profile.ClearanceCounts;
@@ -87,7 +87,7 @@ public static class WorkPlacement
     }
 
     /// <summary>Whether the tool is as high as the homing leaves it, on a machine that homes it upwards: there it is above any work.</summary>
-    private static bool IsAtTop(ControllerPlace place, MachineProfile profile)
+    private static bool IsAtTop(ControllerPosition place, MachineProfile profile)
     {
         if (profile.Axes.Z?.Homing is not { } homing) return false;
         var mark = profile.Scale.ToHeight(homing.Zero);
@@ -95,26 +95,26 @@ public static class WorkPlacement
         return profile.IsLower(home, mark) && !profile.IsLower(place.Position.Z, home);
     }
 
-    private static PlacementResult Present(ControllerPlace place, CountsPoint start) =>
+    private static PlacementResult Present(ControllerPosition place, CountsPoint start) =>
         Placed((place.Position - start) with { Z = place.Position.Z }, OriginSource.Here);
 
     /// <summary>The position in plan is typed; the height is that of the active work origin.</summary>
-    private static PlacementResult Given(MachineMemory memory, ControllerPlace place, Point2D at, MachineProfile profile)
+    private static PlacementResult Given(StoredMachineState memory, ControllerPosition place, Point2D at, MachineProfile profile)
     {
         if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
-        if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, NumberText.Rounded(at.X, 3), NumberText.Rounded(at.Y, 3)));
+        if (!profile.Scale.IsInRange(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, NumberText.Rounded(at.X, 3), NumberText.Rounded(at.Y, 3)));
         if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
-        if (memory.ActiveOrigin is { Z: not null } origin && (LossOf(memory, place) ?? OtherAxes(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
+        if (memory.ActiveOrigin is { Z: not null } origin && (ZeroDoubt(memory, place) ?? OtherAxes(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
     /// <summary>Where no origin was set and the controller counts 0 in all axes, a job's work is assumed to be there, in height as in plan, and the list before
     /// the start states it; otherwise null.</summary>
-    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
+    private static int? HeightOf(WorkOrigin? origin, ControllerPosition place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
 
-    private static PlacementResult Work(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    private static PlacementResult Work(StoredMachineState memory, ControllerPosition place, MachineProfile profile)
     {
-        if (LossOf(memory, place) is { } lost) return Refused(lost);
+        if (ZeroDoubt(memory, place) is { } lost) return Refused(lost);
         if (memory.ActiveOrigin is { } origin)
         {
             if (OtherAxes(memory.Active, origin, profile) is { } other) return Refused(other);
@@ -132,48 +132,4 @@ public static class WorkPlacement
     private static PlacementResult Placed(CountsPoint frame, OriginSource source) => new(frame, source, null);
 
     private static PlacementResult Refused(Diagnostic refusal) => new(null, OriginSource.Work, refusal);
-}
-
-/// <summary>Where the drawing's zero is from the controller's own zero, or why it is unknown.</summary>
-/// <param name="Frame">Controller counts at the drawing's zero; null when it is refused.</param>
-/// <param name="Source">The source of the position.</param>
-/// <param name="Refusal">What is wrong and what to do; null when there is a position.</param>
-public sealed record PlacementResult(CountsPoint? Frame, OriginSource Source, Diagnostic? Refusal)
-{
-    /// <summary>No origin was set: the controller counts 0, and that point is taken.</summary>
-    public bool IsAssumed { get; init; }
-
-    /// <summary>The job was compared with the travel of the machine and does not leave it; also false where the travel is unknown.</summary>
-    public bool StaysInside { get; init; }
-}
-
-/// <summary>Where a job's origin comes from.</summary>
-public enum OriginSource
-{
-    /// <summary>The active work origin.</summary>
-    Work,
-
-    /// <summary>The present position of the machine.</summary>
-    Here,
-
-    /// <summary>A machine position that was typed.</summary>
-    Given,
-}
-
-/// <summary>The operator's choice of the drawing's zero.</summary>
-public abstract record OriginRequest
-{
-    private OriginRequest()
-    {
-    }
-
-    /// <summary>The active work origin of the machine.</summary>
-    public sealed record Work : OriginRequest;
-
-    /// <summary>The machine is at the drawing's start point, and with a Z axis its tool at the height 0 of the drawing.</summary>
-    public sealed record PresentPlace : OriginRequest;
-
-    /// <summary>A machine position.</summary>
-    /// <param name="Machine">Millimetres from the controller's own zero.</param>
-    public sealed record Given(Point2D Machine) : OriginRequest;
 }

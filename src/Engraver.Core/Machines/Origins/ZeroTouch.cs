@@ -30,17 +30,17 @@ public sealed record ZeroTouch
     public CountsPoint? First { get; init; }
 
     /// <summary>False where the point or the height is outside the controller's range of counts.</summary>
-    public bool IsCountable(CountsScale scale) => scale.Holds(Bounds2D.FromCorners(Place, Place), default) && scale.HoldsHeight(Height);
+    public bool IsCountable(CountsScale scale) => scale.IsInRange(Bounds2D.FromCorners(Place, Place), default) && scale.IsHeightInRange(Height);
 
     /// <summary>The memory with the origin set; axes that are not set keep their values.</summary>
     /// <param name="name">Name of the origin.</param>
     /// <param name="here">Present position of the machine, controller counts.</param>
-    public MachineMemory Set(MachineMemory memory, string name, CountsPoint here, MachineProfile profile)
+    public StoredMachineState Set(StoredMachineState memory, string name, CountsPoint here, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(profile);
         var (x, y) = ZeroAt(here, profile.Scale);
-        return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null, KeptAxes.Of(profile));
+        return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null, StoredAxes.Of(profile));
     }
 
     private (long? X, long? Y) ZeroAt(CountsPoint here, CountsScale scale)

@@ -96,8 +96,8 @@ internal sealed class MachineProfileDocument
         TravelY = TravelDocument.From(profile.Axes.Y.Travel),
         TravelZ = TravelDocument.From(profile.Axes.Z?.Travel),
         Homing = HomingDocument.From(profile.Axes),
-        Inputs = NamesDocument.From(profile.Inputs),
-        Outputs = NamesDocument.From(profile.Outputs),
+        Inputs = IoNamesDocument.From(profile.Inputs),
+        Outputs = IoNamesDocument.From(profile.Outputs),
         CostPerHour = profile.Rates?.PerHour,
         CostPerMetre = profile.Rates?.PerMetre,
         CostPerStart = profile.Rates?.PerStart,
@@ -123,8 +123,8 @@ internal sealed class MachineProfileDocument
         ParkX = ParkX ?? profile.ParkX,
         ParkY = ParkY ?? profile.ParkY,
         JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // at most the rapid speed
-        Inputs = NamesDocument.ToNames(Inputs),
-        Outputs = NamesDocument.ToNames(Outputs),
+        Inputs = IoNamesDocument.ToNames(Inputs),
+        Outputs = IoNamesDocument.ToNames(Outputs),
         Rates = CostPerHour is null && CostPerMetre is null && CostPerStart is null ? profile.Rates : new JobRates(CostPerHour ?? 0.0, CostPerMetre ?? 0.0, CostPerStart ?? 0.0),
     };
 

@@ -15,7 +15,7 @@ public static class MachineProfileFile
     /// wrong.</summary>
     /// <param name="limits">Those of the controller of a profile that names no family.</param>
     /// <param name="families">The families that a profile may name; null for none.</param>
-    public static MachineProfileReading Read(string json, MachineLimits limits, IReadOnlyList<IControllerFamily>? families = null)
+    public static MachineProfileReadResult Read(string json, MachineLimits limits, IReadOnlyList<IControllerFamily>? families = null)
     {
         var fields = JsonFields.Read(json);
         IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown(Known).Select(field => MotionRules.ProfileFieldUnknown.At(new SourceRef(field.Line), field.Path, JsonFields.Nearest(field.Name, Known(field.Owner)!)))];
@@ -23,11 +23,11 @@ public static class MachineProfileFile
         {
             var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits, families ?? [], isWhole: unknown.Count == 0);
             IReadOnlyList<Diagnostic> findings = [.. Written(read.Diagnostics, fields, isWhole: unknown.Count == 0).Select(finding => finding.Source == default ? finding with { Source = new SourceRef(fields.LineOf(finding.Facts[0])) } : finding)];
-            return unknown.Count == 0 ? read with { Diagnostics = findings } : new MachineProfileReading(null, [.. unknown, .. findings]);
+            return unknown.Count == 0 ? read with { Diagnostics = findings } : new MachineProfileReadResult(null, [.. unknown, .. findings]);
         }
         catch (JsonException trouble)
         {
-            return new MachineProfileReading(null, [.. unknown, Finding(trouble)]);
+            return new MachineProfileReadResult(null, [.. unknown, Finding(trouble)]);
         }
     }
 
@@ -43,16 +43,16 @@ public static class MachineProfileFile
     /// <summary>The profile with every field, ready to be edited.</summary>
     public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.From(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
 
-    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits, IReadOnlyList<IControllerFamily> families, bool isWhole)
+    private static MachineProfileReadResult Checked(MachineProfileDocument? document, MachineLimits limits, IReadOnlyList<IControllerFamily> families, bool isWhole)
     {
-        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.NullInsteadOfObject"))]);
+        if (document is null) return new MachineProfileReadResult(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.NullInsteadOfObject"))]);
         var controller = families.FirstOrDefault(family => family.Key == document.Controller);
-        if (document.Controller is { } unknown && controller is null) return new MachineProfileReading(null, [MotionRules.SettingOutOfRange.At(default, "controller", unknown, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", families.Select(family => family.Key))))]);
+        if (document.Controller is { } unknown && controller is null) return new MachineProfileReadResult(null, [MotionRules.SettingOutOfRange.At(default, "controller", unknown, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", families.Select(family => family.Key))))]);
         var profile = document.Over(MachineProfile.Default, controller);
         IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.AnyValue"), field.Needs)), .. MachineProfileValidation.Check(profile, controller?.Limits ?? limits)];
         if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", Wording.Get("MachineProfileFile.AnyValue"), Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
-        return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
+        return findings.Count == 0 ? new MachineProfileReadResult(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReadResult(null, findings);
     }
 
     /// <summary>The names that are allowed in a field; null where any name is allowed: the numbers of inputs and outputs, and inside a field that is itself
@@ -87,8 +87,3 @@ public static class MachineProfileFile
     AllowDuplicateProperties = false)]
 [JsonSerializable(typeof(MachineProfileDocument))]
 internal sealed partial class MachineProfileJson : JsonSerializerContext;
-
-/// <summary>The result of reading a profile file.</summary>
-/// <param name="Profile">Null when the file cannot be read.</param>
-/// <param name="Diagnostics">What is wrong with it, with its line: errors without a profile, warnings (settings that contradict each other) beside one.</param>
-public sealed record MachineProfileReading(MachineProfile? Profile, IReadOnlyList<Diagnostic> Diagnostics);

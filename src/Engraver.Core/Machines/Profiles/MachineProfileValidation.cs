@@ -52,7 +52,7 @@ public static class MachineProfileValidation
             if (rate is not (null or (>= 0.0 and <= LargestRate))) yield return Finding(field, rate.Value, Wording.Get("MachineProfileValidation.Rate", LargestRate));
         }
 
-        foreach (var finding in HandSettings.Findings(p, limits)) yield return finding;
+        foreach (var finding in HandMoveValidation.Findings(p, limits)) yield return finding;
     }
 
     private static IEnumerable<Diagnostic> ToolFindings(MachineProfile p, MachineLimits limits)
@@ -85,7 +85,7 @@ public static class MachineProfileValidation
 
     private static bool IsHeight(double millimetres, MachineProfile profile) => Math.Abs(profile.Scale.Z.Exact(millimetres)) < int.MaxValue / 4.0;
 
-    private static bool IsCountable(Point2D place, MachineProfile profile) => !profile.Scale.X.IsUsable || !profile.Scale.Y.IsUsable || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
+    private static bool IsCountable(Point2D place, MachineProfile profile) => !profile.Scale.X.IsUsable || !profile.Scale.Y.IsUsable || profile.Scale.IsInRange(Bounds2D.FromCorners(place, place), default);
 
     internal static bool IsSpeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) =>
         profile.Axes.All.All(axis => IsSpeed(axis.Scale.CountsOf(mmPerMinute / 60.0), limits));

@@ -21,11 +21,11 @@ internal static class ProfileContradictions
     {
         foreach (var (name, axis, park) in new[] { ("X", p.Axes.X, p.ParkX), ("Y", p.Axes.Y, p.ParkY) })
         {
-            if (park is { } place && axis.Travel is { } travel && (place < travel.Least || place > travel.Most)) yield return Finding("park" + name, place, "ProfileContradictions.ParkOutside", "travel" + name, travel.Least, travel.Most);
+            if (park is { } place && axis.Travel is { } travel && (place < travel.Min || place > travel.Max)) yield return Finding("park" + name, place, "ProfileContradictions.ParkOutside", "travel" + name, travel.Min, travel.Max);
         }
 
-        if (p.Height is { } height && p.Axes.Z is { Travel: { } way } && way.Most - way.Least < height.ClearanceHeight + height.CutDepth)
-            yield return Finding("clearanceHeight", height.ClearanceHeight, "ProfileContradictions.TravelTooShort", height.CutDepth, way.Least, way.Most);
+        if (p.Height is { } height && p.Axes.Z is { Travel: { } way } && way.Max - way.Min < height.ClearanceHeight + height.CutDepth)
+            yield return Finding("clearanceHeight", height.ClearanceHeight, "ProfileContradictions.TravelTooShort", height.CutDepth, way.Min, way.Max);
     }
 
     private static Diagnostic Finding(string setting, double value, string other, params object[] facts) =>

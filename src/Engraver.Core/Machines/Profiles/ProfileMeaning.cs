@@ -19,10 +19,10 @@ public static class ProfileMeaning
             var count = axis.Scale.LengthOf(1.0);
             yield return Wording.Get(axis.Scale.IsMirrored ? "ProfileMeaning.AxisMirrored" : "ProfileMeaning.Axis", name, axis.Letter, axis.Scale.CountsOf(1.0), count, LengthUnits.InInches(count));
             if (axis.MotorType is { } motor) yield return Wording.Get("ProfileMeaning.Motor", name, motor);
-            yield return axis.Travel is { } travel ? Wording.Get("ProfileMeaning.Travel", name, travel.Least, travel.Most) : Wording.Get("ProfileMeaning.NoTravel", name);
+            yield return axis.Travel is { } travel ? Wording.Get("ProfileMeaning.Travel", name, travel.Min, travel.Max) : Wording.Get("ProfileMeaning.NoTravel", name);
         }
 
-        if (!profile.Scale.KeepsCircles) yield return Wording.Get("ProfileMeaning.Chords");
+        if (!profile.Scale.IsUniform) yield return Wording.Get("ProfileMeaning.Chords");
     }
 
     private static IEnumerable<string> Speeds(MachineProfile profile)
@@ -65,5 +65,5 @@ public static class ProfileMeaning
 
     private static string Cost(MachineProfile profile) => profile.Rates is { } rates ? Wording.Get("ProfileMeaning.Cost", rates.PerHour, rates.PerMetre, rates.PerStart) : Wording.Get("ProfileMeaning.NoCost");
 
-    private static string Named(LineNames names) => string.Join(", ", names.All.Select(line => $"{line.Key} = {line.Value}"));
+    private static string Named(IoLineNames names) => string.Join(", ", names.All.Select(line => $"{line.Key} = {line.Value}"));
 }

@@ -56,24 +56,11 @@ public static class LetterF
     public static MachineAxis Mirrored(MachineAxis axis) => axis with
     {
         CountsPerMillimetre = axis.Scale.Mirrored().CountsPerMillimetre,
-        Travel = axis.Travel is { } travel ? new AxisTravel(-travel.Most, -travel.Least) : null,
+        Travel = axis.Travel is { } travel ? new AxisTravel(-travel.Max, -travel.Min) : null,
         Homing = axis.Homing is { } homing ? homing with { Plus = !homing.Plus, Zero = -homing.Zero } : null,
     };
 
     private static MachineAxis Turned((MachineAxis Axis, TableDirection Went) seen) => seen.Went is TableDirection.Right or TableDirection.Back ? seen.Axis : Mirrored(seen.Axis);
 
     private static bool IsAcross(TableDirection direction) => direction is TableDirection.Right or TableDirection.Left;
-}
-
-/// <summary>A direction of the tool over the table, as seen by the operator in front of it. The drawing's X goes right, its Y back.</summary>
-public enum TableDirection
-{
-    Right,
-    Left,
-
-    /// <summary>Away from the operator.</summary>
-    Back,
-
-    /// <summary>Towards the operator.</summary>
-    Front,
 }

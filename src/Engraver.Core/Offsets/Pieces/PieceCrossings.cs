@@ -7,12 +7,12 @@ namespace Engraver.Core.Offsets.Pieces;
 internal static class PieceCrossings
 {
     /// <summary>Maximum number of points that two pieces can give.</summary>
-    public const int Most = 4;
+    public const int MaxCount = 4;
 
     /// <param name="first">One piece.</param>
     /// <param name="second">The other.</param>
     /// <param name="tolerance">Distance that counts as zero: beyond an end, between two lines, between tangent circles.</param>
-    /// <param name="found">Room for <see cref="Most"/>.</param>
+    /// <param name="found">Room for <see cref="MaxCount"/>.</param>
     /// <returns>Number of points found.</returns>
     public static int Between(in PathPiece first, in PathPiece second, double tolerance, Span<Crossing> found)
     {
@@ -130,8 +130,3 @@ internal static class PieceCrossings
         }
     }
 }
-
-/// <summary>A common point of two pieces.</summary>
-/// <param name="OnFirst">Fraction of the first piece's length, 0 to 1; exactly 0 or 1 at an end.</param>
-/// <param name="OnSecond">The same for the second piece.</param>
-internal readonly record struct Crossing(Point2D Place, double OnFirst, double OnSecond);

@@ -13,7 +13,7 @@ internal sealed class AgieForecast
     /// <summary>Minimum path length before a return, millimetres: a single short piece is not a return.</summary>
     private const double Away = 10.0 * Same;
 
-    private const int FewestPlaces = 32;
+    private const int MinPlaces = 32;
 
     private readonly Toolpath _path;
     private readonly Point2D _entry;
@@ -68,7 +68,7 @@ internal sealed class AgieForecast
         }
 
         var (drawn, isLast) = (stroke.Moves[step.Move].Segment, step.Move == stroke.Moves.Count - 1);
-        return (isLast && stroke.Closed) || WasAt(drawn.End) ? Drawing(place).DistanceTo(drawn.End) : null;
+        return (isLast && stroke.Closed) || HasVisited(drawn.End) ? Drawing(place).DistanceTo(drawn.End) : null;
     }
 
     private void Note(Point2D place)
@@ -78,7 +78,7 @@ internal sealed class AgieForecast
         else _places.Add(cell, [(place, _way)]);
     }
 
-    private bool WasAt(Point2D place)
+    private bool HasVisited(Point2D place)
     {
         var (x, y) = CellOf(place);
         for (var i = -1; i <= 1; i++)
@@ -98,7 +98,7 @@ internal sealed class AgieForecast
     /// first, then all parts that are cut.</summary>
     private double Error(in Segment run, in Segment drawn)
     {
-        var (places, largest) = (run.Kind == SegmentKind.Line ? FewestPlaces : Math.Max(FewestPlaces, (int)Math.Abs(2.0 * run.Arc.Sweep.Degrees)), 0.0);
+        var (places, largest) = (run.Kind == SegmentKind.Line ? MinPlaces : Math.Max(MinPlaces, (int)Math.Abs(2.0 * run.Arc.Sweep.Degrees)), 0.0);
         for (var i = 0; i <= places; i++)
         {
             var place = Drawing(run.PointAt((double)i / places));

@@ -9,7 +9,7 @@ public static class AgieLink
 {
     /// <summary>The linked program, in the order given. Rounding in positioning is compensated at the next link.</summary>
     /// <param name="contours">Contours, at least one.</param>
-    public static PostText Link(IReadOnlyList<AgieContour> contours)
+    public static PostOutput Link(IReadOnlyList<AgieContour> contours)
     {
         ArgumentNullException.ThrowIfNull(contours);
         ArgumentOutOfRangeException.ThrowIfZero(contours.Count);
@@ -21,7 +21,7 @@ public static class AgieLink
             foreach (var block in contours[i].Blocks) steps.Add(block, drawn: null);
         }
 
-        if (steps.TooMany) return new PostText([], [PostRules.TooManyBlocks.At(default, AgieSteps.Most.ToString(CultureInfo.InvariantCulture))]);
+        if (steps.TooMany) return new PostOutput([], [PostRules.TooManyBlocks.At(default, AgieSteps.MaxCount.ToString(CultureInfo.InvariantCulture))]);
         return AgieText.Programs(steps.All, AgieText.Parts(steps.All), ownLine: false);
     }
 }

@@ -25,7 +25,7 @@ public sealed class AgiePost : IPost
 
     public string Summary => Wording.Get("AgiePost.Summary");
 
-    public string Ending => ".agie";
+    public string FileExtension => ".agie";
 
     public PostGeometry Geometry => PostGeometry.LinesAndArcs;
 
@@ -33,24 +33,24 @@ public sealed class AgiePost : IPost
 
     public IReadOnlyList<PostOption> Options => [Style, StartMark];
 
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
         var (path, isPaper) = (request.Path, request.Value(Style) == PaperStyle);
-        if (path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
-        if (isPaper && AgiePaper.Unwritable(path) is { } entity) return Refused(PostRules.RadiusNotWritable.At(request.SourceOf?.Invoke(entity) ?? default, NumberText.Rounded(AgieBlock.Largest / 1000.0, 4)));
-        var made = isPaper ? AgiePaper.Write(path) : AgieExact.Write(path);
-        if (made.TooMany) return Refused(PostRules.TooManyBlocks.At(default, NumberText.Rounded(AgieSteps.Most, 4)));
+        if (path.Strokes.Count == 0) return new PostOutput([], [DocumentRules.NothingToPost.At(default)]);
+        if (isPaper && AgiePaperBlocks.Unwritable(path) is { } entity) return Refused(PostRules.RadiusNotWritable.At(request.SourceOf?.Invoke(entity) ?? default, NumberText.Rounded(AgieBlock.Largest / 1000.0, 4)));
+        var made = isPaper ? AgiePaperBlocks.Write(path) : AgieExactBlocks.Write(path);
+        if (made.TooMany) return Refused(PostRules.TooManyBlocks.At(default, NumberText.Rounded(AgieSteps.MaxCount, 4)));
         if (made.All.Count == 0) return Refused(PostRules.NothingToMove.At(default));
         return Written(path, made.All, request.Value(StartMark) == OwnLine);
     }
 
-    private static PostText Written(Toolpath path, IReadOnlyList<AgieStep> steps, bool ownLine)
+    private static PostOutput Written(Toolpath path, IReadOnlyList<AgieStep> steps, bool ownLine)
     {
         var parts = AgieText.Parts(steps);
         var forecast = AgieForecast.Follow(path, steps, parts);
         var text = AgieText.Programs(steps, parts, ownLine) with { Forecast = forecast };
-        return forecast.MaxError * 1000.0 > AgieExact.ContourError ? text with { Diagnostics = [.. text.Diagnostics, WholeDegrees(forecast)] } : text;
+        return forecast.MaxError * 1000.0 > AgieExactBlocks.ContourError ? text with { Diagnostics = [.. text.Diagnostics, WholeDegrees(forecast)] } : text;
     }
 
     private static Diagnostic WholeDegrees(PostForecast forecast)
@@ -59,5 +59,5 @@ public sealed class AgiePost : IPost
         return PostRules.ContourError.At(default, NumberText.Rounded(forecast.MaxError, 4), NumberText.Rounded(worst.End.X, 4), NumberText.Rounded(worst.End.Y, 4), NumberText.Rounded(worst.Number, 4), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LargestGap", NumberText.Rounded(closure, 4)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
     }
 
-    private static PostText Refused(Diagnostic why) => new([], [why]);
+    private static PostOutput Refused(Diagnostic why) => new([], [why]);
 }

@@ -6,13 +6,13 @@ namespace Engraver.Core.Posts.Agie;
 internal sealed class AgieSteps(Point2D entry)
 {
     /// <summary>Maximum number of blocks of a job; a tape with more blocks would be kilometres long.</summary>
-    public const int Most = 499_500;
+    public const int MaxCount = 499_500;
 
     private readonly List<AgieStep> _steps = [];
 
     public IReadOnlyList<AgieStep> All => _steps;
 
-    /// <summary>There were more than <see cref="Most"/>.</summary>
+    /// <summary>There were more than <see cref="MaxCount"/>.</summary>
     public bool TooMany { get; private set; }
 
     /// <summary>Predicted machine position: whole micrometres after lines, radius times cosine and sine after arcs.</summary>
@@ -26,7 +26,7 @@ internal sealed class AgieSteps(Point2D entry)
 
     public void Add(AgieBlock block, Segment? drawn)
     {
-        TooMany |= _steps.Count >= Most;
+        TooMany |= _steps.Count >= MaxCount;
         if (TooMany) return;
         _steps.Add(new AgieStep(block, drawn, For.Stroke, drawn is null ? -1 : For.Move));
         Place = block.PathFrom(Place).End;
@@ -40,7 +40,7 @@ internal sealed class AgieSteps(Point2D entry)
         var (x, y) = (Rounded(way.X), Rounded(way.Y));
         var parts = Math.Max(1.0, Math.Ceiling(Math.Max(Math.Abs(x), Math.Abs(y)) / AgieBlock.Largest));
         if (x == 0.0 && y == 0.0) return;
-        if (parts > Most) TooMany = true;
+        if (parts > MaxCount) TooMany = true;
         for (var i = 0; i < parts && !TooMany; i++)
             Add(AgieBlock.Line((int)(Rounded(x * (i + 1) / parts) - Rounded(x * i / parts)), (int)(Rounded(y * (i + 1) / parts) - Rounded(y * i / parts)), cutting: drawn is not null), drawn);
     }

@@ -9,9 +9,9 @@ namespace Engraver.Core.Posts.Agie;
 internal static class AgieText
 {
     /// <summary>Largest block number that three digits hold.</summary>
-    public const int MostBlocks = 999;
+    public const int MaxBlocks = 999;
 
-    /// <summary>Cuts a job into programs of at most <see cref="MostBlocks"/>, between strokes where that is possible.</summary>
+    /// <summary>Cuts a job into programs of at most <see cref="MaxBlocks"/>, between strokes where that is possible.</summary>
     /// <returns>Number of blocks of each program.</returns>
     public static IReadOnlyList<int> Parts(IReadOnlyList<AgieStep> steps)
     {
@@ -19,13 +19,13 @@ internal static class AgieText
         var held = 0;
         foreach (var stroke in steps.GroupBy(step => step.Stroke).Select(group => group.Count()))
         {
-            if (held > 0 && held + stroke > MostBlocks)
+            if (held > 0 && held + stroke > MaxBlocks)
             {
                 parts.Add(held);
                 held = 0;
             }
 
-            for (held += stroke; held > MostBlocks; held -= MostBlocks) parts.Add(MostBlocks);
+            for (held += stroke; held > MaxBlocks; held -= MaxBlocks) parts.Add(MaxBlocks);
         }
 
         if (held > 0) parts.Add(held);
@@ -35,7 +35,7 @@ internal static class AgieText
     /// <summary>The programs, and a warning when there are several.</summary>
     /// <param name="parts">Number of steps of each program.</param>
     /// <param name="ownLine">True when the start mark is on a separate line.</param>
-    public static PostText Programs(IReadOnlyList<AgieStep> steps, IReadOnlyList<int> parts, bool ownLine)
+    public static PostOutput Programs(IReadOnlyList<AgieStep> steps, IReadOnlyList<int> parts, bool ownLine)
     {
         var (chunks, written) = (new List<string>(), 0);
         foreach (var part in parts)
@@ -44,7 +44,7 @@ internal static class AgieText
             written += part;
         }
 
-        return new PostText(chunks, parts.Count <= 1 ? [] : [PostRules.ProgramParted.At(default, Number(steps.Count), Number(MostBlocks), Number(parts.Count))]);
+        return new PostOutput(chunks, parts.Count <= 1 ? [] : [PostRules.ProgramParted.At(default, Number(steps.Count), Number(MaxBlocks), Number(parts.Count))]);
     }
 
     private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);

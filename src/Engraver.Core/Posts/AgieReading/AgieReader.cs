@@ -13,7 +13,7 @@ public sealed class AgieReader : IProgramReader
 {
     private const int FieldsOfBlock = 8;
 
-    public bool TellsHeights => false;
+    public bool ReportsHeights => false;
 
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
@@ -105,7 +105,7 @@ public sealed class AgieReader : IProgramReader
         {
             var from = new Point2D(_x, _y);
             (_x, _y) = (_x + (block.X / 1000.0), _y + (block.Y / 1000.0));
-            if (block.Sparks) Tell(Segment.FromLine(from, new Point2D(_x, _y)));
+            if (block.Sparks) AddSpan(Segment.FromLine(from, new Point2D(_x, _y)));
             else foreach (var judge in judges) judge.Add(new TraceSample(_seconds += 1.0, _x, _y, Cutting: false));
         }
 
@@ -116,20 +116,20 @@ public sealed class AgieReader : IProgramReader
             var (x, y) = (_x - (radius * Math.Cos(angle)), _y - (radius * Math.Sin(angle)));
             var parts = (block.Work + 89) / 90;
             for (var i = 0; i < parts; i++)
-                Tell(Segment.FromArc(new ArcSegment(new Point2D(x, y), radius, Angle.FromDegrees(block.Start + ((double)turn * i / parts)), Angle.FromDegrees((double)turn / parts))));
+                AddSpan(Segment.FromArc(new ArcSegment(new Point2D(x, y), radius, Angle.FromDegrees(block.Start + ((double)turn * i / parts)), Angle.FromDegrees((double)turn / parts))));
             var end = (block.Start + turn) * Math.PI / 180.0;
             (_x, _y) = (x + (radius * Math.Cos(end)), y + (radius * Math.Sin(end)));
         }
 
-        private void Tell(in Segment path)
+        private void AddSpan(in Segment path)
         {
             if (path.Length == 0.0) return;
-            if (_seconds == 0.0) Stand(path.Start);
+            if (_seconds == 0.0) Dwell(path.Start);
             foreach (var judge in judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
             _seconds += 1.0;
         }
 
-        private void Stand(Point2D place)
+        private void Dwell(Point2D place)
         {
             foreach (var judge in judges) judge.Add(new TraceSample(_seconds, place.X, place.Y, Cutting: false));
             _seconds += 1.0;

@@ -11,19 +11,19 @@ namespace Engraver.Core.Posts.ClDataReading;
 /// at a time.</remarks>
 public sealed class ClDataReader : IProgramReader
 {
-    public bool TellsHeights => false;
+    public bool ReportsHeights => false;
 
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
-        var fault = new Replay(request, cancellation).Run(new ProgramRows(text));
+        var fault = new ClDataReplay(request, cancellation).Run(new ProgramRows(text));
         return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
     }
 
-    private sealed class Replay(ReplayRequest request, CancellationToken cancellation)
+    private sealed class ClDataReplay(ReplayRequest request, CancellationToken cancellation)
     {
-        private ClEntity? _entity;
+        private ClDataEntity? _entity;
         private string _section = "";
         private bool _isNamed = true;
         private bool _hasCut;
@@ -59,7 +59,7 @@ public sealed class ClDataReader : IProgramReader
             if (type == "SECTION") (_section, _isNamed) = ("?", false);
             else if (type == "ENDSEC") _section = "";
             else if (_section == "ENTITIES" && type is not ("LINE" or "ARC" or "CIRCLE" or "ELLIPSE" or "SPLINE")) return Fault(line, Wording.Get("ClDataReader.EntityNotAllowed", Shown(type)));
-            else if (_section == "ENTITIES") _entity = new ClEntity(type, line);
+            else if (_section == "ENTITIES") _entity = new ClDataEntity(type, line);
             return null;
         }
 
@@ -86,12 +86,12 @@ public sealed class ClDataReader : IProgramReader
             _entity = null;
             if (entity.Layer is not ("CUT_CLOSED" or "CUT_OPEN" or "RAPID")) return Fault(entity.Line, Wording.Get("ClDataReader.LayerNotAllowed", Shown(entity.Layer)));
             if (entity.Path(out var reason) is not { } path) return Fault(entity.Line, reason);
-            if (entity.Height is { } height) request.Terms?.Differ(entity.Line, $"z {Shown(height)}", "z 0");
+            if (entity.Height is { } height) request.Requirements?.AddDifference(entity.Line, $"z {Shown(height)}", "z 0");
             var isCut = entity.Layer != "RAPID";
             foreach (var segment in path)
             {
                 if (isCut) Join(segment.Start, entity.Line);
-                Tell(segment, isCut);
+                AddSpan(segment, isCut);
             }
 
             _hasCut |= isCut;
@@ -102,11 +102,11 @@ public sealed class ClDataReader : IProgramReader
         private void Join(Point2D start, int line)
         {
             if (_place is not { } place || place.DistanceTo(start) <= request.LongestJump) return;
-            request.Terms?.Differ(line, Wording.Get("ClDataReader.CutFrom", FactText.Of(start.X), FactText.Of(start.Y)), Wording.Get("ClDataReader.CutFromEndOfMove", FactText.Of(place.X), FactText.Of(place.Y)));
+            request.Requirements?.AddDifference(line, Wording.Get("ClDataReader.CutFrom", FactText.Of(start.X), FactText.Of(start.Y)), Wording.Get("ClDataReader.CutFromEndOfMove", FactText.Of(place.X), FactText.Of(place.Y)));
             foreach (var judge in request.Judges) judge.Add(new TraceSample(_seconds += 1.0, start.X, start.Y, Cutting: false));
         }
 
-        private void Tell(in Segment path, bool isCut)
+        private void AddSpan(in Segment path, bool isCut)
         {
             (_seconds, _place) = (_seconds + 1.0, path.End);
             foreach (var judge in request.Judges)

@@ -13,7 +13,7 @@ public sealed class GcodePost : IPost
 
     public string Summary => Wording.Get("GcodePost.Summary");
 
-    public string Ending => ".ngc";
+    public string FileExtension => ".ngc";
 
     public PostGeometry Geometry => PostGeometry.LinesAndArcs;
 
@@ -21,14 +21,14 @@ public sealed class GcodePost : IPost
 
     public IReadOnlyList<PostOption> Options => GcodeChoice.Options;
 
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
-        if (request.Path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
+        if (request.Path.Strokes.Count == 0) return new PostOutput([], [DocumentRules.NothingToPost.At(default)]);
         var choice = GcodeChoice.Of(request);
         IReadOnlyList<Diagnostic> faults = [.. Unfit(choice, request.Machine), .. Unwritable(request, new GcodeGrid(choice.Dialect.Decimals))];
-        if (faults.Any(fault => fault.Severity == Severity.Error)) return new PostText([], faults);
-        return new PostText([new GcodeProgram(choice, request).Write()], faults);
+        if (faults.Any(fault => fault.Severity == Severity.Error)) return new PostOutput([], faults);
+        return new PostOutput([new GcodeProgram(choice, request).Write()], faults);
     }
 
     /// <summary>Options that the dialect does not have.</summary>

@@ -27,7 +27,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Head();
         foreach (var stroke in request.Path.Strokes)
         {
-            if (_machine.Height is { } drive) foreach (var lift in CutHeights.Lifts(stroke, drive)) CutWithAxis(stroke, drive, lift);
+            if (_machine.Height is { } drive) foreach (var lift in CutHeights.PassHeights(stroke, drive)) CutWithAxis(stroke, drive, lift);
             else CutWithSwitch(stroke);
         }
 

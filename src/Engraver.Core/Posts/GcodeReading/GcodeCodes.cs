@@ -44,12 +44,3 @@ internal static class GcodeCodes
     /// <summary>The code as in a program: G54, G59.1.</summary>
     public static string WorkOffsetText(int code) => string.Create(CultureInfo.InvariantCulture, $"G{code / 10.0:0.#}");
 }
-
-/// <summary>The controller whose rules apply to a program.</summary>
-public enum GcodeController
-{
-    LinuxCnc,
-
-    /// <summary>Without %, digital outputs, blending and absolute centres; lines of at most 79 characters; every arc names its end.</summary>
-    Grbl,
-}

@@ -9,9 +9,9 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 {
     private const double MillimetresPerInch = 25.4;
 
-    private readonly GcodeTeller _teller = new(request);
+    private readonly GcodeTracer _tracer = new(request);
     private readonly MachineProfile _profile = request.Machine;
-    private readonly GcodeSwitches _switches = new(request.Machine, request.Terms);
+    private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements);
     private Vector3D _place = StartOf(request);
     private bool _knowsX;
     private bool _knowsY;
@@ -24,14 +24,14 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private GcodeBlend _blend = controller == GcodeController.Grbl ? GcodeBlend.Exact : GcodeBlend.Unbounded;
     private double _feed;
 
-    public bool HasMoved => _teller.HasMoved;
+    public bool HasMoved => _tracer.HasMoved;
 
     /// <summary>M2 or M30 has been executed.</summary>
     public bool HasEnded { get; private set; }
 
     /// <summary>Executes a line that complies with the rules.</summary>
     /// <returns>The reason why it cannot be executed; null when it was executed.</returns>
-    public string? Do(GcodeBlock block, int line)
+    public string? Execute(GcodeBlock block, int line)
     {
         if (block['F'] is { } feed) _feed = feed * _unit;
         Switch(block, line);
@@ -48,16 +48,16 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private void Switch(GcodeBlock block, int line)
     {
         var was = _switches.IsOn;
-        _switches.Do(block, line);
+        _switches.Execute(block, line);
         if (block.Codes('G').Contains(GcodeCodes.Dwell)) _switches.Wait(block['P'] ?? 0.0, line);
-        if (_switches.IsOn != was) _teller.Switch(_place, _switches.IsOn);
+        if (_switches.IsOn != was) _tracer.Switch(_place, _switches.IsOn);
     }
 
     private string? Mode(int code)
     {
         if (GcodeCodes.IsWorkOffset(code))
         {
-            if (_teller.HasMoved && code != (_workOffset ?? GcodeCodes.UsualWorkOffset)) return Wording.Get("GcodeReader.WorkOffsetChanged");
+            if (_tracer.HasMoved && code != (_workOffset ?? GcodeCodes.UsualWorkOffset)) return Wording.Get("GcodeReader.WorkOffsetChanged");
             _workOffset = code;
         }
 
@@ -87,12 +87,12 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (_profile.Height is null && to.Z != 0.0) return Wording.Get("GcodeReader.NoToolAxis");
         Judge(to, line);
         if (_motion is 20 or 30) return Turn(block, to, line);
-        if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.PositionUnknown");
+        if (_motion != 0 && !SetKnown(block)) return Wording.Get("GcodeReader.PositionUnknown");
         if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightUnknown");
         var (from, isKnown) = (_place, _knowsZ);
-        Learn(block);
+        SetKnown(block);
         _place = to;
-        if (isKnown) _teller.Line(from, to, new GcodeMotion(_switches.IsOn, _motion == 0 ? double.PositiveInfinity : _feed, _blend, line));
+        if (isKnown) _tracer.Line(from, to, new GcodeMotion(_switches.IsOn, _motion == 0 ? double.PositiveInfinity : _feed, _blend, line));
         return null;
     }
 
@@ -100,11 +100,11 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private void Judge(Vector3D to, int line)
     {
         _switches.EndWait();
-        if (request.Terms is not { } terms) return;
+        if (request.Requirements is not { } terms) return;
         var offset = GcodeCodes.WorkOffsetText(_workOffset ?? GcodeCodes.UsualWorkOffset);
-        if (offset != terms.Asked.WorkOffset) terms.Differ(line, offset, terms.Asked.WorkOffset);
+        if (offset != terms.Required.WorkOffset) terms.AddDifference(line, offset, terms.Required.WorkOffset);
         if (_motion == 0) return;
-        if (_profile.Height is { } drive ? to.X == _place.X && to.Y == _place.Y && to.Z == drive.ClearanceHeight : !_switches.IsOn) terms.Differ(line, $"G{_motion / 10}", "G0");
+        if (_profile.Height is { } drive ? to.X == _place.X && to.Y == _place.Y && to.Z == drive.ClearanceHeight : !_switches.IsOn) terms.AddDifference(line, $"G{_motion / 10}", "G0");
         else _switches.Cut(line);
     }
 
@@ -121,7 +121,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (arc is not { } known) return reason;
         var from = _place;
         _place = to;
-        _teller.Arc(known, from, to, new GcodeMotion(_switches.IsOn, _feed, _blend, line));
+        _tracer.Arc(known, from, to, new GcodeMotion(_switches.IsOn, _feed, _blend, line));
         return null;
     }
 
@@ -131,14 +131,14 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         HasEnded = true;
         _switches.EndWait();
         if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsWithToolOn");
-        return _profile.Height is { } drive && _teller.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsBelowRetractHeight") : null;
+        return _profile.Height is { } drive && _tracer.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsBelowRetractHeight") : null;
     }
 
     private bool Knows(char axis, GcodeBlock block) => block[axis] is null || (axis == 'X' ? _knowsX : axis == 'Y' ? _knowsY : _knowsZ);
 
     /// <summary>The axes named by the line have a known position from then on.</summary>
     /// <returns>True when all axes have a known position after this line.</returns>
-    private bool Learn(GcodeBlock block)
+    private bool SetKnown(GcodeBlock block)
     {
         (_knowsX, _knowsY, _knowsZ) = (_knowsX || block.Has("X"), _knowsY || block.Has("Y"), _knowsZ || block.Has("Z"));
         return _knowsX && _knowsY && _knowsZ;

@@ -34,7 +34,7 @@ public sealed class GcodeReader(GcodeController controller = GcodeController.Lin
 
             if (block.Words.Count == 0) continue;
             hasBegun = true;
-            if ((GcodeRules.Check(block, controller) ?? machine.Do(block, line)) is { } fault) return Fault(line, fault);
+            if ((GcodeRules.Check(block, controller) ?? machine.Execute(block, line)) is { } fault) return Fault(line, fault);
             if (machine.HasEnded) return Rest(lines, isMarked) ?? (machine.HasMoved ? null : VerificationRules.ProgramEmpty.At(default));
         }
 

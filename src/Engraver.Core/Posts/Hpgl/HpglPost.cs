@@ -24,7 +24,7 @@ public sealed class HpglPost : IPost
 
     public string Summary => Wording.Get("HpglPost.Summary");
 
-    public string Ending => ".plt";
+    public string FileExtension => ".plt";
 
     public PostGeometry Geometry => PostGeometry.LinesAndArcs;
 
@@ -32,15 +32,15 @@ public sealed class HpglPost : IPost
 
     public IReadOnlyList<PostOption> Options => [Units, ArcForm, Pen];
 
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
-        if (request.Path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
+        if (request.Path.Strokes.Count == 0) return new PostOutput([], [DocumentRules.NothingToPost.At(default)]);
         var sheet = new HpglSheet(Whole(request.Value(Units))!.Value);
-        if (Beyond(request, sheet) is { } beyond) return new PostText([], [beyond]);
+        if (Beyond(request, sheet) is { } beyond) return new PostOutput([], [beyond]);
         var program = new HpglProgram(sheet, request.Value(ArcForm) == Arcs);
         var text = program.Write(request.Path, int.Parse(request.Value(Pen), CultureInfo.InvariantCulture), request.Machine.FeedMmPerMinute);
-        return new PostText([text], [PostRules.Rounded.At(default, FactText.Of(sheet.Unit), FactText.Of(program.LargestError), FactText.Of(program.ErrorAt.X), FactText.Of(program.ErrorAt.Y)) with { Place = program.ErrorAt }]);
+        return new PostOutput([text], [PostRules.Rounded.At(default, FactText.Of(sheet.Unit), FactText.Of(program.LargestError), FactText.Of(program.ErrorAt.X), FactText.Of(program.ErrorAt.Y)) with { Place = program.ErrorAt }]);
     }
 
     private static Diagnostic? Beyond(PostRequest request, HpglSheet sheet)

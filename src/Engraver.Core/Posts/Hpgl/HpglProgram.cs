@@ -29,14 +29,14 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
     {
         ErrorAt = path.Strokes[0].Start;
         Line("IN");
-        Say($"SP{pen}");
+        Append($"SP{pen}");
         if (sheet.PerMillimetre != HpglSheet.PlotterUnits)
         {
-            Say($"IP0,0,{100 * HpglSheet.PlotterUnits},{100 * HpglSheet.PlotterUnits}"); // 100 mm along each axis
-            Say($"SC0,{100 * sheet.PerMillimetre},0,{100 * sheet.PerMillimetre}");
+            Append($"IP0,0,{100 * HpglSheet.PlotterUnits},{100 * HpglSheet.PlotterUnits}"); // 100 mm along each axis
+            Append($"SC0,{100 * sheet.PerMillimetre},0,{100 * sheet.PerMillimetre}");
         }
 
-        Say($"VS{NumberText.Rounded(feedMmPerMinute / 600.0, 4)}"); // cm/s
+        Append($"VS{NumberText.Rounded(feedMmPerMinute / 600.0, 4)}"); // cm/s
         foreach (var stroke in path.Strokes) Stroke(stroke);
         Line("SP0");
         return _text.ToString();
@@ -46,7 +46,7 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
     {
         _place = sheet.Of(stroke.Start);
         Measure(stroke.Start);
-        Say($"PU{_place.X},{_place.Y}");
+        Append($"PU{_place.X},{_place.Y}");
         Line("PD");
         foreach (var segment in stroke.Moves.Select(move => move.Segment))
         {
@@ -64,7 +64,7 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
         Measure(to);
         if (sheet.Of(to) == _place) return;
         _place = sheet.Of(to);
-        Say($"PD{_place.X},{_place.Y}");
+        Append($"PD{_place.X},{_place.Y}");
     }
 
     private void Measure(Point2D drawn, double more = 0.0)
@@ -103,16 +103,16 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
         while (chord > FinestChord && Height(arc, chord) > ChordShare * sheet.Unit) chord = Math.Max(FinestChord, chord - FinestChord);
         var apart = sheet.Millimetres(centre).DistanceTo(arc.Centre) + Math.Abs(sheet.Millimetres(centre).DistanceTo(sheet.Millimetres(_place)) - arc.Radius) + Height(arc, chord);
         if (apart > LargestError) (LargestError, ErrorAt) = (apart, segment.Start);
-        Say($"AA{centre.X},{centre.Y},{NumberText.Rounded(arc.Sweep.Degrees, 4)},{NumberText.Rounded(chord, 4)}");
+        Append($"AA{centre.X},{centre.Y},{NumberText.Rounded(arc.Sweep.Degrees, 4)},{NumberText.Rounded(chord, 4)}");
         if (segment.Kind == SegmentKind.Circle) return;
         _place = sheet.Of(segment.End);
         Measure(segment.End);
-        Say($"PD{_place.X},{_place.Y}"); // the plotter rounds the end of the arc: the exact end is written
+        Append($"PD{_place.X},{_place.Y}"); // the plotter rounds the end of the arc: the exact end is written
     }
 
     private static double Height(ArcSegment arc, double chordDegrees) => arc.Radius * (1.0 - Math.Cos(chordDegrees * Math.PI / 360.0));
 
-    private void Say(FormattableString text) => Line(FormattableString.Invariant(text));
+    private void Append(FormattableString text) => Line(FormattableString.Invariant(text));
 
     private void Line(string text) => _text.Append(text).Append(";\n");
 }

@@ -15,7 +15,7 @@ internal sealed record HpglCommand(string Name, IReadOnlyList<double> Values, in
 internal sealed class HpglScanner(TextReader text)
 {
     /// <summary>Numbers of a part, in whole pairs.</summary>
-    private const int MostValues = 1024;
+    private const int MaxValues = 1024;
 
     /// <summary>Maximum characters of a number; a longer text is not a number.</summary>
     private const int LongestNumber = 64;
@@ -23,7 +23,7 @@ internal sealed class HpglScanner(TextReader text)
     private readonly char[] _name = new char[2];
     private readonly StringBuilder _word = new();
     private bool _isInList;
-    private bool _isOwed;
+    private bool _isValueExpected;
 
     public int Line { get; private set; } = 1;
 
@@ -77,23 +77,23 @@ internal sealed class HpglScanner(TextReader text)
             if (text.Peek() is < 0 or ';' || char.IsAsciiLetter((char)text.Peek())) return EndOf(values);
             if (text.Peek() == ',')
             {
-                if (_isOwed || !_isInList) return null;
-                _isOwed = true;
+                if (_isValueExpected || !_isInList) return null;
+                _isValueExpected = true;
                 Step();
                 continue;
             }
 
-            if (values.Count == MostValues) return values;
+            if (values.Count == MaxValues) return values;
             if (Number(out wrong) is not { } value) return null;
             values.Add(value);
-            (_isInList, _isOwed, wrong) = (true, false, ",");
+            (_isInList, _isValueExpected, wrong) = (true, false, ",");
         }
     }
 
     private List<double>? EndOf(List<double> values)
     {
         _isInList = false;
-        return _isOwed ? null : values;
+        return _isValueExpected ? null : values;
     }
 
     private double? Number(out string word)

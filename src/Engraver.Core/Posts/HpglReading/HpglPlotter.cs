@@ -29,7 +29,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     public bool IsDown { get; private set; }
 
     /// <returns>The reason why the command cannot be executed; null when it was executed.</returns>
-    public string? Do(HpglCommand command)
+    public string? Execute(HpglCommand command)
     {
         var values = command.Values;
         if (!_isInitialised && command.Name != "IN") return Wording.Get("HpglReader.NotInitialised");
@@ -61,7 +61,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     private string? Speed(IReadOnlyList<double> values)
     {
         if (!(values[0] > 0.0)) return Wording.Get("HpglReader.SpeedNotPositive", values[0]);
-        if (values.Count == 1 || values[1] == (request.Terms?.Asked.Pen ?? _pen)) _speed = values[0] * 600.0;
+        if (values.Count == 1 || values[1] == (request.Requirements?.Required.Pen ?? _pen)) _speed = values[0] * 600.0;
         return null;
     }
 
@@ -89,7 +89,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
             var was = IsDown;
             IsDown = command.Name == "PD";
             if (IsDown && _pen == 0) return Wording.Get("HpglReader.NoPenSelected");
-            if (was != IsDown) Stand();
+            if (was != IsDown) Dwell();
         }
         else
         {
@@ -128,7 +128,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     {
         var from = _place;
         (_place, HasMoved) = (to, true);
-        if (!IsDown) Stand();
+        if (!IsDown) Dwell();
         else if (from != to) Draw(Segment.FromLine(from, to), line);
     }
 
@@ -143,18 +143,18 @@ internal sealed class HpglPlotter(ReplayRequest request)
     /// <summary>Checks for the requested pen and for a stated speed: the default speed of a plotter can be any.</summary>
     private void Judge(int line)
     {
-        if (request.Terms is not { } terms) return;
-        if (_pen != terms.Asked.Pen) terms.Differ(line, $"SP{_pen}", $"SP{terms.Asked.Pen}");
-        if (_speed is null) terms.Differ(line, Wording.Get("HpglReader.NoSpeed"), "VS");
+        if (request.Requirements is not { } terms) return;
+        if (_pen != terms.Required.Pen) terms.AddDifference(line, $"SP{_pen}", $"SP{terms.Required.Pen}");
+        if (_speed is null) terms.AddDifference(line, Wording.Get("HpglReader.NoSpeed"), "VS");
     }
 
     /// <summary>Called at the end of the program: a pen that stays in the holder dries up.</summary>
     public void End(int line)
     {
-        if (_pen != 0) request.Terms?.Differ(line, $"SP{_pen}", "SP0");
+        if (_pen != 0) request.Requirements?.AddDifference(line, $"SP{_pen}", "SP0");
     }
 
-    private void Stand()
+    private void Dwell()
     {
         _seconds += 1.0;
         foreach (var judge in request.Judges) judge.Add(new TraceSample(_seconds, _place.X, _place.Y, IsDown));

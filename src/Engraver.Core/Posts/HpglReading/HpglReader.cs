@@ -9,7 +9,7 @@ namespace Engraver.Core.Posts.HpglReading;
 /// a time.</remarks>
 public sealed class HpglReader : IProgramReader
 {
-    public bool TellsHeights => false;
+    public bool ReportsHeights => false;
 
     /// <summary>The plotter's own unit: the rounding of both axes and the height of a chord move a point by no more than this.</summary>
     public double Rounding => 0.025;
@@ -29,7 +29,7 @@ public sealed class HpglReader : IProgramReader
             cancellation.ThrowIfCancellationRequested();
             if (reason.Length > 0) return Fault(scanner.Line, reason);
             if (command is null) break;
-            if (plotter.Do(command) is { } fault) return Fault(command.Line, fault);
+            if (plotter.Execute(command) is { } fault) return Fault(command.Line, fault);
         }
 
         plotter.End(scanner.Line);

@@ -6,14 +6,14 @@ namespace Engraver.Core.Sequencing.ArcRecovery;
 internal static class ArcFit
 {
     /// <summary>An arc that rises less than this many times the error above its chord is nearly straight, and its lines stay as drawn.</summary>
-    private const double LeastRise = 2.0;
+    private const double MinRise = 2.0;
 
     /// <summary>Degrees. Vertices that are nearer to a full turn without closing stay as two arcs.</summary>
-    private const double MostSweep = 350.0;
+    private const double MaxSweep = 350.0;
 
     /// <summary>True when an arc rises enough above its chord.</summary>
     public static bool Rises(in RecoveredArc found, double maxError) =>
-        found.Arc.Radius * (1.0 - Math.Cos(Math.Min(Math.PI, found.Arc.Sweep.Abs().Radians / 2.0))) >= LeastRise * maxError;
+        found.Arc.Radius * (1.0 - Math.Cos(Math.Min(Math.PI, found.Arc.Sweep.Abs().Radians / 2.0))) >= MinRise * maxError;
 
     /// <summary>The arc from the first vertex to the last, both kept exactly; null when there is no arc within the error.</summary>
     public static RecoveredArc? Arc(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
@@ -30,7 +30,7 @@ internal static class ArcFit
         var radius = double.Hypot(half, height);
         var centre = middle + (left * height);
         var sweep = Angle.FromRadians(-side * 2.0 * Math.Atan2(half, -side * height));
-        if (Math.Abs(sweep.Degrees) > MostSweep || !new ChordProof(centre, radius, -side, tolerances).Holds(vertices, closed: false, out var deviation, out var length)) return null;
+        if (Math.Abs(sweep.Degrees) > MaxSweep || !new ChordProof(centre, radius, -side, tolerances).IsProven(vertices, closed: false, out var deviation, out var length)) return null;
         var arc = new ArcSegment(centre, radius, (start - centre).Direction.Positive(), sweep);
         return IsOnce(length, arc) ? new RecoveredArc(arc, start, end, deviation) : null;
     }
@@ -53,7 +53,7 @@ internal static class ArcFit
         var radius = 0.0;
         foreach (var vertex in vertices) radius += vertex.DistanceTo(centre) / vertices.Length;
         var turn = area < 0.0 ? -1.0 : 1.0;
-        if (!(radius > LeastRise * tolerances.MaxError) || !new ChordProof(centre, radius, turn, tolerances).Holds(vertices, closed: true, out var deviation, out var length)) return null;
+        if (!(radius > MinRise * tolerances.MaxError) || !new ChordProof(centre, radius, turn, tolerances).IsProven(vertices, closed: true, out var deviation, out var length)) return null;
         var circle = new ArcSegment(centre, radius, Angle.Zero, Angle.FullTurn * turn);
         return IsOnce(length, circle) ? new RecoveredArc(circle, circle.StartPoint, circle.StartPoint, deviation) : null;
     }

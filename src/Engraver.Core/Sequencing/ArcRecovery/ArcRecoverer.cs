@@ -29,7 +29,7 @@ public static class ArcRecoverer
         var junctions = contours.Where(contour => !contour.Closed).SelectMany(contour => new[] { contour.StartIn(segments), contour.EndIn(segments) }).ToHashSet();
         foreach (var contour in contours)
         {
-            if (contour.Pieces.Length >= ChordRun.FewestChords) new ContourArcs(contour, segments, analysed, junctions, (1.0 - GapShare) * maxError).FindInto(replacement);
+            if (contour.Pieces.Length >= ChordRun.MinChords) new ContourArcs(contour, segments, analysed, junctions, (1.0 - GapShare) * maxError).FindInto(replacement);
         }
 
         return replacement.ToResult();
@@ -43,14 +43,3 @@ public static class ArcRecoverer
         return contours.ConvertAll(contour => contour with { Pieces = contour.Pieces.ToArray().Select(piece => piece with { Row = rows[piece.Row] }).ToArray() });
     }
 }
-
-/// <summary>One replacement: <paramref name="Lines"/> rows became the row <paramref name="Row"/> of the new table.</summary>
-/// <param name="Row">Row of the arc or circle.</param>
-/// <param name="Lines">Number of lines that it replaces.</param>
-/// <param name="Deviation">Largest distance between the lines and the arc, mm.</param>
-public readonly record struct ArcRecoveryNote(int Row, int Lines, double Deviation);
-
-/// <summary>A table with recovered arcs.</summary>
-/// <param name="Table">Fewer rows, the same path within the error.</param>
-/// <param name="Arcs">One for each arc, in row order.</param>
-public sealed record ArcRecoveryResult(EntityTable Table, IReadOnlyList<ArcRecoveryNote> Arcs);

@@ -14,22 +14,22 @@ internal sealed class ChordJoints(Segment[] segments, double maxError)
     /// <summary>The rows that can be part of an arc, ascending; null when all rows can.</summary>
     public static int[]? RowsOf(Segment[] segments, double gap, double maxError)
     {
-        var ends = new NearEnds(segments, gap);
+        var ends = new NearEndPairs(segments, gap);
         return ends.IsCrowded ? null : new ChordJoints(segments, maxError).Rows(ends);
     }
 
-    private int[] Rows(NearEnds ends)
+    private int[] Rows(NearEndPairs ends)
     {
         var chords = new RowGroups(segments.Length);
         ends.Visit((one, other) =>
         {
             if (MayBeOfArc(one, other)) chords.Join(one / 2, other / 2);
         });
-        if (chords.Largest < ChordRun.FewestChords) return [];
+        if (chords.Largest < ChordRun.MinChords) return [];
         var touching = new RowGroups(segments.Length);
         ends.Visit((one, other) => touching.Join(one / 2, other / 2));
         var wanted = new bool[segments.Length];
-        for (var row = 0; row < wanted.Length; row++) wanted[touching.Of(row)] |= chords.SizeOf(row) >= ChordRun.FewestChords;
+        for (var row = 0; row < wanted.Length; row++) wanted[touching.Of(row)] |= chords.SizeOf(row) >= ChordRun.MinChords;
         return [.. Enumerable.Range(0, segments.Length).Where(row => wanted[touching.Of(row)])];
     }
 

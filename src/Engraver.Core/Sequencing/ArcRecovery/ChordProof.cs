@@ -24,7 +24,7 @@ internal readonly ref struct ChordProof(Point2D centre, double radius, double tu
     /// <param name="closed">True when the last chord ends at the first vertex.</param>
     /// <param name="deviation">Largest distance between chords and circle; not meaningful when the result is false.</param>
     /// <param name="length">Total length of the chords.</param>
-    public bool Holds(ReadOnlySpan<Point2D> vertices, bool closed, out double deviation, out double length)
+    public bool IsProven(ReadOnlySpan<Point2D> vertices, bool closed, out double deviation, out double length)
     {
         (deviation, length) = (0.0, 0.0);
         var before = closed ? vertices[0] - vertices[^1] : default;

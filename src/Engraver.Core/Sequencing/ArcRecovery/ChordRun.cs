@@ -6,14 +6,14 @@ namespace Engraver.Core.Sequencing.ArcRecovery;
 internal static class ChordRun
 {
     /// <summary>Fewest chords of an arc (five vertices): there is a circle through any three vertices, and four can be on a circle by chance.</summary>
-    public const int FewestChords = 4;
+    public const int MinChords = 4;
 
     /// <summary>Passes every arc found to <paramref name="take"/>, with its first chord and the number of its chords.</summary>
     /// <remarks>Finds the longest arc from each vertex by galloping search and bisection: the work is linear in the number of vertices except for a small
     /// factor.</remarks>
     public static void Recover(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances, Action<int, int, RecoveredArc> take)
     {
-        for (var from = 0; from + FewestChords < vertices.Length;)
+        for (var from = 0; from + MinChords < vertices.Length;)
         {
             if (Longest(vertices[from..], tolerances) is { } found)
             {
@@ -29,9 +29,9 @@ internal static class ChordRun
 
     private static (int Chords, RecoveredArc Arc)? Longest(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
     {
-        if (ArcFit.Arc(vertices[..(FewestChords + 1)], tolerances) is not { } best) return null;
-        var (good, bad) = (FewestChords, vertices.Length);
-        for (var step = FewestChords; good < bad - 1; step *= 2)
+        if (ArcFit.Arc(vertices[..(MinChords + 1)], tolerances) is not { } best) return null;
+        var (good, bad) = (MinChords, vertices.Length);
+        for (var step = MinChords; good < bad - 1; step *= 2)
         {
             var chords = Math.Min(good + step, vertices.Length - 1);
             if (ArcFit.Arc(vertices[..(chords + 1)], tolerances) is { } longer) (good, best) = (chords, longer);

@@ -8,12 +8,12 @@ namespace Engraver.Core.Sequencing.ArcRecovery;
 internal readonly record struct ChordTolerances(double MaxError, double Rounding)
 {
     private const double FinestRounding = 2e-6;
-    private const int MostDecimals = 5;
+    private const int MaxDecimals = 5;
 
     /// <summary>The tolerances with the rounding of these vertices: that of the fewest decimals (3 to 5) that represent them all.</summary>
     public static ChordTolerances For(ReadOnlySpan<Point2D> vertices, double maxError)
     {
-        for (var decimals = 3; decimals <= MostDecimals; decimals++)
+        for (var decimals = 3; decimals <= MaxDecimals; decimals++)
         {
             var step = Math.Pow(10.0, -decimals);
             if (AreMultiples(vertices, 1.0 / step)) return new ChordTolerances(maxError, step);

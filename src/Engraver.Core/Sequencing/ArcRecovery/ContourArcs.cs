@@ -18,7 +18,7 @@ internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTab
         for (int first = 0, end; first < _pieces.Length; first = Math.Max(end, first + 1))
         {
             for (end = first; end < _pieces.Length && IsOfRun(first, end);) end++;
-            if (end - first < ChordRun.FewestChords) continue;
+            if (end - first < ChordRun.MinChords) continue;
             Recover(_pieces.AsMemory(first, end - first), replacement);
         }
     }

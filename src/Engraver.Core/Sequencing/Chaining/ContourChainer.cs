@@ -27,16 +27,6 @@ public static class ContourChainer
     {
         var walker = new ContourWalker(segments, ends, joinTolerance, heights);
         var contours = walker.WalkAll();
-        return new ChainResult(contours, ContourEnds.From(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
+        return new ChainResult(contours, ContourEnds.From(contours, segments, heights), walker.Branches) { Comparisons = walker.Comparisons };
     }
-}
-
-/// <summary>The result of chaining.</summary>
-/// <param name="Contours">Contours in order of their lowest row.</param>
-/// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
-/// <param name="Branches">Number of times a contour had several continuations.</param>
-public sealed record ChainResult(IReadOnlyList<Contour> Contours, ContourEnds Discontinuities, int Branches)
-{
-    /// <summary>Segment ends, and boxes of them, that were tested: a measure of the work.</summary>
-    public long Looks { get; init; }
 }

@@ -57,21 +57,21 @@ internal sealed class ContourWalker
     public int Branches { get; private set; }
 
     /// <summary>Ends and boxes of ends that were tested.</summary>
-    public long Looks => _ends.Looks + _crowded.Looks;
+    public long Comparisons => _ends.Comparisons + _crowded.Comparisons;
 
     public List<Contour> WalkAll()
     {
         var contours = new List<Contour>();
         for (var row = 0; row < _segments.Length; row++)
         {
-            if (!_used[row]) contours.Add(_segments[row].IsClosed ? Alone(row) : WalkFrom(row));
+            if (!_used[row]) contours.Add(_segments[row].IsClosed ? SinglePiece(row) : WalkFrom(row));
         }
 
         return contours;
     }
 
     /// <summary>The contour of a single closed segment: a circle, a full ellipse, a closed spline.</summary>
-    private Contour Alone(int row)
+    private Contour SinglePiece(int row)
     {
         _used[row] = true;
         var pieces = _pieces.Take(1);

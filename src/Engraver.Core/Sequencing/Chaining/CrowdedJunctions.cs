@@ -14,10 +14,10 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
 
     private readonly Dictionary<((long X, long Y) Cell, int Level), Junction> _junctions = [];
     private readonly List<int> _setAside = [];
-    private long _looks;
+    private long _comparisons;
 
     /// <summary>Number of ends and boxes that were tested.</summary>
-    public long Looks => _looks + _junctions.Values.Sum(junction => junction.Others.Looks);
+    public long Comparisons => _comparisons + _junctions.Values.Sum(junction => junction.Others.Comparisons);
 
     /// <summary>The junctions that can have ends near a point.</summary>
     /// <param name="here">Present end of the contour.</param>
@@ -79,7 +79,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
 
     private double Distance(int end, Point2D place)
     {
-        _looks++;
+        _comparisons++;
         return places[end].DistanceTo(place);
     }
 

@@ -15,7 +15,7 @@ internal sealed class EndGrid
     public const int Several = -2;
 
     /// <summary>Maximum number of points tested for one neighbour.</summary>
-    private const int MostForNeighbour = 64;
+    private const int MaxForNeighbour = 64;
     private const int BitsForEach = 8;
     private const double CellInTolerances = 5.0;
 
@@ -26,7 +26,7 @@ internal sealed class EndGrid
     /// <summary>For each bucket, the index of its first point and the number of remaining points.</summary>
     private readonly int[] _starts;
     private readonly int[] _counts;
-    private readonly Entry[] _entries;
+    private readonly EndEntry[] _entries;
 
     /// <summary>One bit for each group of cells: 0 when all of them are empty, so that most queries of an empty cell need no further memory access.</summary>
     private readonly ulong[] _occupied;
@@ -44,12 +44,12 @@ internal sealed class EndGrid
         _counts = new int[_starts.Length];
         _occupied = new ulong[_starts.Length / (64 / BitsForEach)];
         _taken = new bool[places.Length];
-        _entries = GC.AllocateUninitializedArray<Entry>(places.Length);
+        _entries = GC.AllocateUninitializedArray<EndEntry>(places.Length);
         Distribute(places);
     }
 
     /// <summary>Number of points that were tested.</summary>
-    public long Looks { get; private set; }
+    public long Comparisons { get; private set; }
 
     public void Take(int place) => _taken[place] = true;
 
@@ -91,23 +91,23 @@ internal sealed class EndGrid
         var found = new List<int>();
         foreach (ref readonly var entry in BucketOf(HashOf(cell)))
         {
-            Looks++;
+            Comparisons++;
             if (!_taken[entry.Place] && CellAt(entry.At) == cell) found.Add(entry.Place);
         }
 
         return [.. found];
     }
 
-    private int OnlyNeighbour(in Entry of)
+    private int OnlyNeighbour(in EndEntry of)
     {
-        var (only, most) = (None, MostForNeighbour);
+        var (only, most) = (None, MaxForNeighbour);
         foreach (var cell in CellsNear(of.At))
         {
             var hash = HashOf(cell);
             if (!IsOccupied(hash)) continue;
             foreach (ref readonly var entry in BucketOf(hash))
             {
-                Looks++;
+                Comparisons++;
                 if (most-- == 0) return Several;
                 if (entry.Place == of.Place || !entry.At.IsNear(of.At, _tolerance) || CellAt(entry.At) != cell) continue;
                 if (only != None) return Several;
@@ -126,7 +126,7 @@ internal sealed class EndGrid
         var kept = 0;
         for (var i = 0; i < entries.Length; i++)
         {
-            Looks++;
+            Comparisons++;
             if (_taken[entries[i].Place]) continue;
             if (most-- == 0)
             {
@@ -145,7 +145,7 @@ internal sealed class EndGrid
 
     /// <summary>Removes the taken points among the first of a bucket; the remaining ones are moved up to the untested ones, so that a large bucket is not moved
     /// as a whole.</summary>
-    private void LeaveOut(ulong hash, Span<Entry> entries, int kept, int tested)
+    private void LeaveOut(ulong hash, Span<EndEntry> entries, int kept, int tested)
     {
         entries[..kept].CopyTo(entries[(tested - kept)..]);
         var bucket = IndexOf(hash);
@@ -171,10 +171,10 @@ internal sealed class EndGrid
         for (var i = 0; i < places.Length; i++)
         {
             var bucket = IndexOf(HashOf(CellAt(places[i])));
-            _entries[blocks[bucket >> shift]++] = new Entry(places[i], i, bucket);
+            _entries[blocks[bucket >> shift]++] = new EndEntry(places[i], i, bucket);
         }
 
-        var (begin, unsorted) = (0, Array.Empty<Entry>());
+        var (begin, unsorted) = (0, Array.Empty<EndEntry>());
         for (var block = 0; block < blocks.Length - 1; block++)
         {
             SortBlock(begin, blocks[block] - begin, (block << shift, 1 << shift), ref unsorted);
@@ -186,9 +186,9 @@ internal sealed class EndGrid
     /// <param name="length">Number of its entries.</param>
     /// <param name="buckets">The first bucket of the block, and how many it has.</param>
     /// <param name="unsorted">Buffer for the unsorted entries; grows.</param>
-    private void SortBlock(int begin, int length, (int First, int Count) buckets, ref Entry[] unsorted)
+    private void SortBlock(int begin, int length, (int First, int Count) buckets, ref EndEntry[] unsorted)
     {
-        if (unsorted.Length < length) unsorted = new Entry[length];
+        if (unsorted.Length < length) unsorted = new EndEntry[length];
         var entries = unsorted.AsSpan(0, length);
         _entries.AsSpan(begin, length).CopyTo(entries);
         var starts = _starts.AsSpan(buckets.First, buckets.Count);
@@ -199,7 +199,7 @@ internal sealed class EndGrid
         for (var bucket = 0; bucket < starts.Length; bucket++) starts[bucket] -= counts[bucket];
     }
 
-    private Span<Entry> BucketOf(ulong hash)
+    private Span<EndEntry> BucketOf(ulong hash)
     {
         var bucket = IndexOf(hash);
         return _entries.AsSpan(_starts[bucket], _counts[bucket]);
@@ -224,7 +224,7 @@ internal sealed class EndGrid
         return (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL;
     }
 
-    private readonly record struct Entry(Point2D At, int Place, int Bucket);
+    private readonly record struct EndEntry(Point2D At, int Place, int Bucket);
 
     /// <summary>The cells of a small rectangle, column by column.</summary>
     public readonly record struct CellRange(long Left, long Right, long Lower, long Upper)

@@ -13,7 +13,7 @@ internal sealed class PlaceGrid
 
     /// <summary>Limit of the number of places in the cell of a place, as the mean over all places: above it, the places are crowded and a tree is
     /// faster.</summary>
-    private const double MostInCell = 24.0;
+    private const double MaxInCell = 24.0;
 
     /// <summary>Number of cells to either side that are searched before larger squares.</summary>
     private const int Rings = 3;
@@ -22,7 +22,7 @@ internal sealed class PlaceGrid
     private const int Fanout = 4;
 
     /// <summary>Largest rounding of the edges of a cell, as a fraction of the cell.</summary>
-    private const double MostMargin = 0.25;
+    private const double MaxMargin = 0.25;
 
     /// <summary>Accuracy of squared distances.</summary>
     private const double Rounding = 1e-9;
@@ -41,7 +41,7 @@ internal sealed class PlaceGrid
     /// <summary>For each cell, the number of its entries, from the first, that are shown: the lowest level.</summary>
     private readonly int[] _shown;
     private readonly Level[] _levels;
-    private readonly Entry[] _entries;
+    private readonly PlaceEntry[] _entries;
 
     /// <summary>The entry of each place.</summary>
     private readonly int[] _entryOf;
@@ -52,7 +52,7 @@ internal sealed class PlaceGrid
         _margin = MarginOf(bounds, cell);
         _starts = new int[(columns * rows) + 1];
         _shown = new int[columns * rows];
-        _entries = GC.AllocateUninitializedArray<Entry>(places.Length);
+        _entries = GC.AllocateUninitializedArray<PlaceEntry>(places.Length);
         _entryOf = GC.AllocateUninitializedArray<int>(places.Length);
         Distribute(places);
         _levels = LevelsOver(new Level(_shown, columns, rows, cell));
@@ -68,7 +68,7 @@ internal sealed class PlaceGrid
         var cells = Math.Max(1.0, places.Length / PlacesInCell);
         var cell = Math.Max(Math.Sqrt(width * height / cells), Math.Max(width, height) / cells);
         if (!double.IsFinite(cell) || !(cell > 0.0)) return null;
-        if (MarginOf(bounds, cell) > MostMargin * cell) return null;
+        if (MarginOf(bounds, cell) > MaxMargin * cell) return null;
         var grid = new PlaceGrid(places, bounds, cell, (int)(width / cell) + 1, (int)(height / cell) + 1);
         return grid.IsEven() ? grid : null;
     }
@@ -112,7 +112,7 @@ internal sealed class PlaceGrid
     /// <param name="distance">Distance of the result; <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D from, int except, double within, out double distance)
     {
-        var best = new Best(within);
+        var best = new NearestPlace(within);
         if (!TryRings(from, except, ref best)) Descend(_levels.Length - 1, 0, 0, from, except, ref best);
         distance = best.Distance;
         return best.Place;
@@ -147,12 +147,12 @@ internal sealed class PlaceGrid
     }
 
     /// <returns>False when the surrounding cells do not determine the nearest place.</returns>
-    private bool TryRings(Point2D from, int except, ref Best best)
+    private bool TryRings(Point2D from, int except, ref NearestPlace best)
     {
         var (column, row) = CellOf(from);
         for (var ring = 0; ring <= Rings; ring++)
         {
-            LookAtRing(column, row, ring, from, except, ref best);
+            TestRing(column, row, ring, from, except, ref best);
             if (best.Distance < Beyond(column, row, ring, from)) return true;
         }
 
@@ -160,11 +160,11 @@ internal sealed class PlaceGrid
     }
 
     /// <summary>Searches a square for a nearer place, starting with the nearest of the squares in it.</summary>
-    private void Descend(int level, int column, int row, Point2D from, int except, ref Best best)
+    private void Descend(int level, int column, int row, Point2D from, int except, ref NearestPlace best)
     {
         if (level == 0)
         {
-            LookAt((row * _columns) + column, from, except, ref best);
+            TestCell((row * _columns) + column, from, except, ref best);
             return;
         }
 
@@ -224,7 +224,7 @@ internal sealed class PlaceGrid
         {
             var cell = IndexOf(places[place]);
             var entry = _starts[cell] + _shown[cell]++;
-            _entries[entry] = new Entry(places[place], place);
+            _entries[entry] = new PlaceEntry(places[place], place);
             _entryOf[place] = entry;
         }
     }
@@ -233,11 +233,11 @@ internal sealed class PlaceGrid
     {
         var pairs = 0.0;
         foreach (var count in _shown) pairs += (double)count * count;
-        return pairs <= MostInCell * _entries.Length;
+        return pairs <= MaxInCell * _entries.Length;
     }
 
     /// <summary>The cells whose farther distance from a cell, in columns or in rows, is <paramref name="ring"/>.</summary>
-    private void LookAtRing(int column, int row, int ring, Point2D from, int except, ref Best best)
+    private void TestRing(int column, int row, int ring, Point2D from, int except, ref NearestPlace best)
     {
         var (left, right) = (Math.Max(0, column - ring), Math.Min(_columns - 1, column + ring));
         for (var y = Math.Max(0, row - ring); y <= Math.Min(_rows - 1, row + ring); y++)
@@ -245,16 +245,16 @@ internal sealed class PlaceGrid
             var isWhole = y == row - ring || y == row + ring;
             if (isWhole)
             {
-                for (var x = left; x <= right; x++) LookAt((y * _columns) + x, from, except, ref best);
+                for (var x = left; x <= right; x++) TestCell((y * _columns) + x, from, except, ref best);
                 continue;
             }
 
-            if (column - ring >= 0) LookAt((y * _columns) + column - ring, from, except, ref best);
-            if (column + ring < _columns) LookAt((y * _columns) + column + ring, from, except, ref best);
+            if (column - ring >= 0) TestCell((y * _columns) + column - ring, from, except, ref best);
+            if (column + ring < _columns) TestCell((y * _columns) + column + ring, from, except, ref best);
         }
     }
 
-    private void LookAt(int cell, Point2D from, int except, ref Best best)
+    private void TestCell(int cell, Point2D from, int except, ref NearestPlace best)
     {
         foreach (ref readonly var entry in _entries.AsSpan(_starts[cell], _shown[cell]))
         {
@@ -295,9 +295,9 @@ internal sealed class PlaceGrid
     /// <param name="Side">Side length, millimetres.</param>
     private sealed record Level(int[] Shown, int Columns, int Rows, double Side);
 
-    private readonly record struct Entry(Point2D At, int Place);
+    private readonly record struct PlaceEntry(Point2D At, int Place);
 
-    private struct Best(double within)
+    private struct NearestPlace(double within)
     {
         public int Place { get; private set; } = -1;
 

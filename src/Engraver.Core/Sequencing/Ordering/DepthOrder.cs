@@ -13,7 +13,7 @@ internal sealed class DepthOrder
     private readonly double _tolerance;
     private readonly double[] _rises;
 
-    private DepthOrder(IReadOnlyCollection<(int Upper, int Lower)> over, double[] rises, double tolerance) => (Over, _rises, _tolerance) = (over, rises, tolerance);
+    private DepthOrder(IReadOnlyCollection<(int Upper, int Lower)> over, double[] rises, double tolerance) => (UpperLowerPairs, _rises, _tolerance) = (over, rises, tolerance);
 
     /// <summary>All contours are at one height.</summary>
     public static DepthOrder None { get; } = new([], [], 0.0);
@@ -22,7 +22,7 @@ internal sealed class DepthOrder
     public bool IsNone => _rises.Length == 0;
 
     /// <summary>Each contour with the next one below it, by their indices.</summary>
-    public IReadOnlyCollection<(int Upper, int Lower)> Over { get; }
+    public IReadOnlyCollection<(int Upper, int Lower)> UpperLowerPairs { get; }
 
     /// <param name="contours">All contours of the segments.</param>
     /// <param name="segments">Rows of the contours by index.</param>
@@ -46,13 +46,13 @@ internal sealed class DepthOrder
             rises[i] = contours[i].Closed ? 0.0 : heights.HeightOf(pieces[^1].EndNumber) - heights.HeightOf(pieces[0].StartNumber);
         }
 
-        return new DepthOrder(FindOver(segments, owners, floors, tolerance, heightTolerance), rises, heightTolerance);
+        return new DepthOrder(FindUpperLowerPairs(segments, owners, floors, tolerance, heightTolerance), rises, heightTolerance);
     }
 
     /// <summary>False for the lower end of an open contour.</summary>
     /// <param name="contour">Index of the contour.</param>
     /// <param name="isTurned">True when it is started at its far end.</param>
-    public bool MayBegin(int contour, bool isTurned)
+    public bool CanStart(int contour, bool isTurned)
     {
         if (IsNone) return true;
         var ahead = isTurned ? -_rises[contour] : _rises[contour];
@@ -63,7 +63,7 @@ internal sealed class DepthOrder
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
     public void Untangle(Span<int> inside)
     {
-        var uppers = Over.ToLookup(pair => pair.Lower, pair => pair.Upper);
+        var uppers = UpperLowerPairs.ToLookup(pair => pair.Lower, pair => pair.Upper);
         var above = new HashSet<int>();
         var waiting = new Stack<int>();
         foreach (var lower in uppers.Select(group => group.Key))
@@ -82,7 +82,7 @@ internal sealed class DepthOrder
         }
     }
 
-    private static HashSet<(int Upper, int Lower)> FindOver(ReadOnlySpan<Segment> segments, int[] owners, double[] floors, double tolerance, double heightTolerance)
+    private static HashSet<(int Upper, int Lower)> FindUpperLowerPairs(ReadOnlySpan<Segment> segments, int[] owners, double[] floors, double tolerance, double heightTolerance)
     {
         var middles = new Point2D[segments.Length];
         for (var row = 0; row < middles.Length; row++) middles[row] = DuplicateRemoval.MiddleOf(segments[row]);

@@ -7,10 +7,10 @@ namespace Engraver.Core.Sequencing.Ordering;
 internal static class EntrySearch
 {
     /// <summary>The entry; null when the entity is not cut or there are no contours.</summary>
-    public static StrokeEntry? Find(EnterAt enter, ChainedTable chained, Point2D toolStart) => enter switch
+    public static StrokeEntry? Find(EntryRequest enter, ChainedTable chained, Point2D toolStart) => enter switch
     {
-        EnterAt.AtEntity { EntityIndex: var entity } => AtEntity(entity, chained, toolStart),
-        EnterAt.AtPlace { Place: var place } => Nearest([.. AllEntries(chained), .. OnCircles(chained, place)], place),
+        EntryRequest.AtEntity { EntityIndex: var entity } => AtEntity(entity, chained, toolStart),
+        EntryRequest.AtPlace { Place: var place } => Nearest([.. AllEntries(chained), .. OnCircles(chained, place)], place),
         _ => throw new ArgumentOutOfRangeException(nameof(enter)),
     };
 
@@ -39,7 +39,7 @@ internal static class EntrySearch
         var contours = chained.Chain.Contours;
         for (var i = 0; i < contours.Count; i++)
         {
-            if (StrokeEntry.Beside(place, i, contours[i], chained.Segments.Span) is { } entry) yield return entry;
+            if (StrokeEntry.NearestTo(place, i, contours[i], chained.Segments.Span) is { } entry) yield return entry;
         }
     }
 
@@ -54,19 +54,4 @@ internal static class EntrySearch
     }
 
     private static int FirstRow(StrokeEntry entry, ChainedTable chained) => chained.Chain.Contours[entry.Contour].Pieces.Span[entry.Piece].Row;
-}
-
-/// <summary>The entering entity of paper 000: the stroke that is cut first. (Strokes inside it are still cut before it.)</summary>
-public abstract record EnterAt
-{
-    private EnterAt()
-    {
-    }
-
-    /// <summary>The stroke that contains this drawing entity, started at the entity where that is possible: at any joint of a closed stroke, at the ends of an
-    /// open stroke.</summary>
-    public sealed record AtEntity(int EntityIndex) : EnterAt;
-
-    /// <summary>The stroke with the start point nearest to this point (millimetres), started there; a circle may start at any of its points.</summary>
-    public sealed record AtPlace(Point2D Place) : EnterAt;
 }

@@ -7,11 +7,11 @@ namespace Engraver.Core.Sequencing.Ordering;
 internal static class EntrySubstitute
 {
     /// <summary>The request itself, unless it names an entity that should be cut but is no longer in the table.</summary>
-    public static EnterAt Resolve(EnterAt requested, ChainedTable chained)
+    public static EntryRequest Resolve(EntryRequest requested, ChainedTable chained)
     {
-        if (requested is not EnterAt.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return requested;
+        if (requested is not EntryRequest.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return requested;
         var drawn = RowOf(entity, chained.Analysed);
-        return drawn < 0 || chained.Kept.Count == 0 ? requested : new EnterAt.AtEntity(Nearest(chained.Analysed[drawn].ToSegment(), chained));
+        return drawn < 0 || chained.Kept.Count == 0 ? requested : new EntryRequest.AtEntity(Nearest(chained.Analysed[drawn].ToSegment(), chained));
     }
 
     private static int RowOf(int entity, EntityTables.EntityTable table)

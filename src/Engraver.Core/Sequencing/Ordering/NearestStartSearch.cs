@@ -14,7 +14,7 @@ internal sealed class NearestStartSearch
     /// <summary>For each contour, those that wait for it because they are below it; empty when there are none.</summary>
     private readonly List<int>?[] _below;
     private readonly bool[] _done;
-    private readonly ShownStarts _starts;
+    private readonly AvailableStarts _starts;
     private bool[]? _within;
     private int _left;
 
@@ -30,14 +30,14 @@ internal sealed class NearestStartSearch
             if (outer >= 0) _waitsFor[outer]++;
         }
 
-        _below = new List<int>?[depth.Over.Count == 0 ? 0 : contours.Count];
-        foreach (var (upper, lower) in depth.Over)
+        _below = new List<int>?[depth.UpperLowerPairs.Count == 0 ? 0 : contours.Count];
+        foreach (var (upper, lower) in depth.UpperLowerPairs)
         {
             _waitsFor[lower]++;
             (_below[upper] ??= []).Add(lower);
         }
 
-        _starts = new ShownStarts(contours, segments.Span, depth);
+        _starts = new AvailableStarts(contours, segments.Span, depth);
         for (var contour = 0; contour < contours.Count; contour++)
         {
             if (_waitsFor[contour] > 0 || !depth.IsNone) _starts.Set(contour, _waitsFor[contour] == 0);

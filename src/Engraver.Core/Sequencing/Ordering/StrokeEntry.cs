@@ -41,7 +41,7 @@ public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKin
         new(index, 0, StrokeEntryKind.Forward, contour.StartIn(segments));
 
     /// <summary>A circle started at its point nearest to a place; null for any other contour, and when all points are equally near.</summary>
-    public static StrokeEntry? Beside(Point2D place, int index, Contour contour, ReadOnlySpan<Segment> segments)
+    public static StrokeEntry? NearestTo(Point2D place, int index, Contour contour, ReadOnlySpan<Segment> segments)
     {
         if (!contour.Closed || !contour.IsCircleIn(segments)) return null;
         var circle = segments[contour.Pieces.Span[0].Row].Arc;

@@ -15,7 +15,7 @@ public sealed class LineArcText
     private const double SmoothDegrees = 0.01;
 
     /// <summary>Arcs with a smaller radius or length are written as lines.</summary>
-    private const double LeastLength = 1e-6;
+    private const double MinLength = 1e-6;
 
     /// <summary>Maximum number of decimals of an angle in degrees in a double.</summary>
     private const int MaxDecimals = 14;
@@ -43,7 +43,7 @@ public sealed class LineArcText
     internal static TrajectoryFile? From(IReadOnlyList<Segment> segments, bool closed, TrajectoryOptions options, TrajectoryMotion motion)
     {
         const double FitShare = 0.98;
-        List<Segment> elements = [.. segments.SelectMany(segment => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, FitShare * options.MaxError) : [segment]).Where(segment => segment.Length > LeastLength)];
+        List<Segment> elements = [.. segments.SelectMany(segment => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, FitShare * options.MaxError) : [segment]).Where(segment => segment.Length > MinLength)];
         if (elements.Count == 0) return null;
         var length = elements.Sum(element => element.Length);
         var first = Math.Round(elements[0].StartTangent.Direction.Degrees, AngleDecimals(length));
@@ -76,7 +76,7 @@ public sealed class LineArcText
         var end = new Point2D(_origin.X + x, _origin.Y + y);
         _bound = Math.Max(_bound, Math.Max(_place.DistanceTo(line.Start), end.DistanceTo(line.End)));
         var way = end - _place;
-        if (way.Length < LeastLength) _broken.Add(Wording.Get("Xps.ElementWithoutLength", _elements));
+        if (way.Length < MinLength) _broken.Add(Wording.Get("Xps.ElementWithoutLength", _elements));
         Turn(way);
         _run.Add(Segment.FromLine(_place, end));
         (_place, _way) = (end, way * (1.0 / way.Length));

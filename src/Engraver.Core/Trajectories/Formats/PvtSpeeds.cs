@@ -8,13 +8,13 @@ internal sealed class PvtSpeeds
     private const double TurningShare = 0.5;
 
     /// <summary>Target, as a fraction of the limits, for an element that exceeds its limits.</summary>
-    private const double Aim = 0.98;
+    private const double TargetShare = 0.98;
 
     /// <summary>Largest slowdown of an element in one step, because its requirement can be infinite when its time is rounded to 0.</summary>
-    private const double MostAtOnce = 1e4;
+    private const double MaxAtOnce = 1e4;
 
     /// <summary>Number of passes in which elements are slowed down individually; after these, all are slowed down.</summary>
-    private const int MostRounds = 60;
+    private const int MaxRounds = 60;
 
     private readonly double _along;
     private double[] _at;
@@ -71,11 +71,11 @@ internal sealed class PvtSpeeds
             if (!(most > 1.0)) return [.. squared.Select(Math.Sqrt)];
             for (var i = 0; i < squared.Length; i++)
             {
-                var need = round >= MostRounds ? most : Math.Max(i > 0 ? needs[i - 1] : 0.0, i < needs.Length ? needs[i] : 0.0);
-                if (need > 1.0) squared[i] *= Aim / Math.Min(need, MostAtOnce);
+                var need = round >= MaxRounds ? most : Math.Max(i > 0 ? needs[i - 1] : 0.0, i < needs.Length ? needs[i] : 0.0);
+                if (need > 1.0) squared[i] *= TargetShare / Math.Min(need, MaxAtOnce);
             }
 
-            if (round >= MostRounds) return [.. squared.Select(Math.Sqrt)];
+            if (round >= MaxRounds) return [.. squared.Select(Math.Sqrt)];
             for (var i = 1; i < squared.Length; i++) squared[i] = Math.Min(squared[i], squared[i - 1] + (_along * (knots[i] - knots[i - 1])));
             for (var i = squared.Length - 2; i >= 0; i--) squared[i] = Math.Min(squared[i], squared[i + 1] + (_along * (knots[i + 1] - knots[i])));
         }

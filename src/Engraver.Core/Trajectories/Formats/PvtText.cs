@@ -16,10 +16,10 @@ internal static class PvtText
     /// <summary>Fraction of the acceleration that is used; the rest is for the rounding of the text.</summary>
     private const double AccelerationShare = 0.9;
 
-    private const int MostRounds = 14;
+    private const int MaxRounds = 14;
 
     /// <summary>Ratio of the curvature at an end of a part to that inside: above it the part is halved.</summary>
-    private const double MostUneven = 16.0;
+    private const double MaxUnevenness = 16.0;
 
     /// <summary>Curvature times length, radians, below which a part counts as straight.</summary>
     private const double Straight = 1e-9;
@@ -31,13 +31,13 @@ internal static class PvtText
     private const double RampShare = 0.5;
 
     /// <summary>Shortest element at the end of a ramp, as a fraction of the chain.</summary>
-    private const double LeastPart = 1e-6;
+    private const double MinPart = 1e-6;
 
     /// <returns>Null when no division is within the error.</returns>
     public static TrajectoryFile? From(SmoothChain chain, IReadOnlyList<Segment> source, TrajectoryOptions options, TrajectoryMotion motion)
     {
         var plan = new PvtSpeeds(chain, motion.Velocity, AccelerationShare * motion.Acceleration);
-        for (var (round, scale) = (0, 1.0); round < MostRounds; round++, scale *= 0.75)
+        for (var (round, scale) = (0, 1.0); round < MaxRounds; round++, scale *= 0.75)
         {
             var rows = Rows(chain, plan, Knots(chain, plan, options.MaxError, scale), motion.Acceleration);
             var knots = rows.Select(row => row.At).ToList();
@@ -64,7 +64,7 @@ internal static class PvtText
         foreach (var ramp in plan.Ramps)
         {
             var next = ~knots.BinarySearch(ramp);
-            if (next > 0 && Math.Min(ramp - knots[next - 1], knots[next] - ramp) > LeastPart * chain.Length) knots.Insert(next, ramp);
+            if (next > 0 && Math.Min(ramp - knots[next - 1], knots[next] - ramp) > MinPart * chain.Length) knots.Insert(next, ramp);
         }
 
         return Graded(chain, plan, knots, RampShare * error * scale * scale * scale * scale);
@@ -79,7 +79,7 @@ internal static class PvtText
         var (inside, ends) = (curvatures[1..8].Max(), Math.Max(curvatures[0], curvatures[8]));
         var (until, length) = (piece.ArcLengthAt(to), piece.ArcLengthAt(to) - piece.ArcLengthAt(from));
         if (length < ShortPart * error) return [(until, 1)];
-        var uneven = !(ends <= MostUneven * inside) && !(ends * length < Straight);
+        var uneven = !(ends <= MaxUnevenness * inside) && !(ends * length < Straight);
         if (!uneven) return [(until, Elements(length, Math.Max(inside, ends), error, scale))];
         return Elements(length, inside, error, scale) == 1 ? [(until, 1)] : [.. Divided(piece, from, (from + to) / 2.0, error, scale), .. Divided(piece, (from + to) / 2.0, to, error, scale)];
     }
@@ -119,7 +119,7 @@ internal static class PvtText
 
     private static List<Station> Rows(SmoothChain chain, PvtSpeeds plan, List<double> knots, double acceleration)
     {
-        List<(ChainPlace Place, double At)> places = [(chain.Pieces[0].At(0.0), 0.0), .. knots.Skip(1).SkipLast(1).Select(chain.AtArcLength), (chain.Pieces[^1].At(1.0), chain.Length)];
+        List<(ChainPoint Place, double At)> places = [(chain.Pieces[0].At(0.0), 0.0), .. knots.Skip(1).SkipLast(1).Select(chain.AtArcLength), (chain.Pieces[^1].At(1.0), chain.Length)];
         var speeds = plan.AtKnots(knots, (i, leave, arrive) => Excess(Row(i - 1, leave, leave), Row(i, leave, arrive), acceleration));
         return [.. knots.Select((_, i) => Row(i, i == 0 ? 0.0 : speeds[i - 1], speeds[i]))];
 
@@ -132,7 +132,7 @@ internal static class PvtText
 
     /// <summary>Requirement of an element divided by its limits: of the acceleration, and of the square of the shortest time.</summary>
     private static double Excess(in Station from, in Station to, double acceleration) =>
-        Math.Max(MostAcceleration(from, to) / acceleration, ShortestSeconds * ShortestSeconds / (to.Seconds * to.Seconds));
+        Math.Max(MaxAcceleration(from, to) / acceleration, ShortestSeconds * ShortestSeconds / (to.Seconds * to.Seconds));
 
     private static double Round(double value) => Math.Round(value, SplineFit.Decimals);
 
@@ -156,7 +156,7 @@ internal static class PvtText
     }
 
     /// <summary>Acceleration of an axis: that of a cubic is linear in time and therefore greatest at an end.</summary>
-    private static double MostAcceleration(in Station from, in Station to)
+    private static double MaxAcceleration(in Station from, in Station to)
     {
         var (way, t) = (to.Place - from.Place, to.Seconds);
         var first = (way * (6.0 / (t * t))) - (from.Velocity * (4.0 / t)) - (to.Velocity * (2.0 / t));
@@ -167,7 +167,7 @@ internal static class PvtText
     /// <summary>The speed of an element is checked at its ends.</summary>
     private static void AddLimits(List<string> broken, int element, in Station from, in Station to, TrajectoryMotion motion)
     {
-        var (most, t) = (MostAcceleration(from, to), to.Seconds);
+        var (most, t) = (MaxAcceleration(from, to), to.Seconds);
         if (most > motion.Acceleration) broken.Add(Wording.Get("Xps.Acceleration", element, NumberText.Rounded(most, 4), NumberText.Rounded(motion.Acceleration, 4)));
         if (to.Velocity.Length > motion.Velocity * 1.000001) broken.Add(Wording.Get("Xps.Velocity", element, NumberText.Rounded(to.Velocity.Length, 4), NumberText.Rounded(motion.Velocity, 4)));
         if (t < ShortestSeconds && to.Place != from.Place) broken.Add(Wording.Get("Xps.ElementTooShort", element, NumberText.Rounded(t, 4)));

@@ -18,7 +18,7 @@ public sealed class XpsPost(TrajectoryFormat format, string name, string ending)
 
     public string Summary => Wording.Get("XpsPost." + format);
 
-    public string Ending => ending;
+    public string FileExtension => ending;
 
     public PostGeometry Geometry => PostGeometry.Curves;
 
@@ -26,10 +26,10 @@ public sealed class XpsPost(TrajectoryFormat format, string name, string ending)
 
     public IReadOnlyList<PostOption> Options => [];
 
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
-        if (request.Path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
+        if (request.Path.Strokes.Count == 0) return new PostOutput([], [DocumentRules.NothingToPost.At(default)]);
         var (motion, options) = (TrajectoryMotion.Of(request.Machine), new TrajectoryOptions(request.MaxErrorMm));
         var (parts, findings) = (new List<string>(), new List<Diagnostic>());
         foreach (var stroke in request.Path.Strokes)
@@ -44,7 +44,7 @@ public sealed class XpsPost(TrajectoryFormat format, string name, string ending)
             findings.AddRange(TrajectoryFindings.NotKept(made.Unproven, request.MaxErrorMm));
         }
 
-        return findings.Any(finding => finding.Severity == Severity.Error) ? new PostText([], findings) : new PostText(parts, findings);
+        return findings.Any(finding => finding.Severity == Severity.Error) ? new PostOutput([], findings) : new PostOutput(parts, findings);
     }
 
     private static string Marked(TrajectoryFile file) => string.Create(CultureInfo.InvariantCulture, $"{TrajectoryReader.Mark}{file.Start.X:R} {file.Start.Y:R}\n{file.Text.ReplaceLineEndings("\n").TrimEnd('\n')}\n");

@@ -16,7 +16,7 @@ internal sealed class LineArcRun : TrajectoryRun
     private const double CornerAngle = 0.5;
 
     /// <summary>Largest sweep of one arc, degrees: ten turns.</summary>
-    private const double MostSweep = 3600.0;
+    private const double MaxSweep = 3600.0;
 
     private readonly Point2D _start;
     private Point2D _place;
@@ -24,7 +24,7 @@ internal sealed class LineArcRun : TrajectoryRun
     private (double Degrees, int Line) _allowed = (UsualAngle, 0);
     private (double Degrees, int Line) _turned;
 
-    public LineArcRun(Point2D start, TrajectoryTeller teller)
+    public LineArcRun(Point2D start, TrajectoryTracer teller)
         : base(teller)
     {
         _start = _place = start;
@@ -33,8 +33,8 @@ internal sealed class LineArcRun : TrajectoryRun
 
     public override Diagnostic? End()
     {
-        if (_turned.Degrees > _allowed.Degrees + Rounding) Differ(Said(_allowed.Degrees), Wording.Get("Xps.AngleNeeded", Said(_turned.Degrees), _turned.Line), _allowed.Line > 0 ? _allowed.Line : _turned.Line);
-        else if (_allowed.Degrees > CornerAngle || _allowed.Degrees < UsualAngle) Differ(Said(_allowed.Degrees), Wording.Get("Xps.Between", UsualAngle, CornerAngle), _allowed.Line);
+        if (_turned.Degrees > _allowed.Degrees + Rounding) Differ(AngleText(_allowed.Degrees), Wording.Get("Xps.AngleNeeded", AngleText(_turned.Degrees), _turned.Line), _allowed.Line > 0 ? _allowed.Line : _turned.Line);
+        else if (_allowed.Degrees > CornerAngle || _allowed.Degrees < UsualAngle) Differ(AngleText(_allowed.Degrees), Wording.Get("Xps.Between", UsualAngle, CornerAngle), _allowed.Line);
         return null;
     }
 
@@ -52,7 +52,7 @@ internal sealed class LineArcRun : TrajectoryRun
             case ("Line", [var x, var y]):
                 LineTo(new Point2D(_start.X + x, _start.Y + y));
                 return null;
-            case ("Arc", [var radius, var sweep]) when radius > 0.0 && sweep != 0.0 && Math.Abs(sweep) <= MostSweep:
+            case ("Arc", [var radius, var sweep]) when radius > 0.0 && sweep != 0.0 && Math.Abs(sweep) <= MaxSweep:
                 Arc(radius, sweep * Math.PI / 180.0);
                 return null;
             default: return Unreadable(words);
@@ -64,7 +64,7 @@ internal sealed class LineArcRun : TrajectoryRun
         var heading = Math.Atan2(end.Y - _place.Y, end.X - _place.X);
         if (_heading is { } before && end != _place && Math.Abs(Math.IEEERemainder(heading - before, 2.0 * Math.PI)) * 180.0 / Math.PI is var turn && turn > _turned.Degrees) _turned = (turn, Line);
         _heading = heading;
-        Teller.LineTo(_place = end);
+        Tracer.LineTo(_place = end);
     }
 
     /// <summary>In quarters of a turn at most, as the judges require arcs.</summary>
@@ -74,9 +74,9 @@ internal sealed class LineArcRun : TrajectoryRun
         var (x, y) = (_place.X - (side * radius * Math.Sin(heading)), _place.Y + (side * radius * Math.Cos(heading)));
         var from = heading - (side * Math.PI / 2.0);
         var parts = (int)Math.Ceiling(Math.Abs(sweep) / (Math.PI / 2.0));
-        for (var i = 0; i < parts; i++) Teller.ArcTo(new ArcSegment(new Point2D(x, y), radius, Angle.FromRadians(from + (sweep * i / parts)), Angle.FromRadians(sweep / parts)));
+        for (var i = 0; i < parts; i++) Tracer.ArcTo(new ArcSegment(new Point2D(x, y), radius, Angle.FromRadians(from + (sweep * i / parts)), Angle.FromRadians(sweep / parts)));
         (_place, _heading) = (new Point2D(x + (radius * Math.Cos(from + sweep)), y + (radius * Math.Sin(from + sweep))), heading + sweep);
     }
 
-    private static string Said(double degrees) => $"DiscontinuityAngle = {FactText.Of(degrees)}";
+    private static string AngleText(double degrees) => $"DiscontinuityAngle = {FactText.Of(degrees)}";
 }

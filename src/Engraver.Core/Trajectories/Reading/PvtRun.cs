@@ -21,7 +21,7 @@ internal sealed class PvtRun : TrajectoryRun
     private Point2D _place;
     private Vector2D _velocity;
 
-    public PvtRun(Point2D start, TrajectoryTeller teller)
+    public PvtRun(Point2D start, TrajectoryTracer teller)
         : base(teller)
     {
         _place = start;
@@ -36,13 +36,13 @@ internal sealed class PvtRun : TrajectoryRun
         var (before, after, from) = (_velocity, new Vector2D(vx, vy), _place);
         (_place, _velocity) = (from + new Vector2D(dx, dy), after);
         Judge(from, before, seconds);
-        Teller.CurveTo(from + (before * (seconds / 3.0)), _place - (after * (seconds / 3.0)), _place);
+        Tracer.CurveTo(from + (before * (seconds / 3.0)), _place - (after * (seconds / 3.0)), _place);
         return null;
     }
 
     private void Judge(Point2D from, Vector2D before, double seconds)
     {
-        var (machine, way, after) = (Teller.Request.Machine, _place - from, _velocity);
+        var (machine, way, after) = (Tracer.Request.Machine, _place - from, _velocity);
         var feed = machine.FeedMmPerMinute / 60.0;
         var most = machine.Scale.Finer.LengthOf(machine.AccelerationCounts);
         if (after.Length > feed * (1.0 + Share)) Differ(Wording.Get("Xps.SpeedFound", after.Length), Wording.Get("Xps.MaxSpeed", feed));

@@ -8,7 +8,7 @@ namespace Engraver.Core.Trajectories.Reading;
 /// 2.</summary>
 /// <param name="start">Origin of the points.</param>
 /// <param name="isRelative">True when this is the machine position: the second row must be 0.</param>
-internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller teller) : TrajectoryRun(teller)
+internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTracer teller) : TrajectoryRun(teller)
 {
     private Point2D _before;
     private Point2D _from;
@@ -24,10 +24,10 @@ internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller
         var point = new Point2D(start.X + x, start.Y + y);
         _points++;
         if (_points == 1) _z = z;
-        if (_points > 1 && z != _z && Teller.Request.IsLevel) Differ($"z {FactText.Of(z)}", $"z {FactText.Of(_z)}");
+        if (_points > 1 && z != _z && Tracer.Request.IsLevel) Differ($"z {FactText.Of(z)}", $"z {FactText.Of(_z)}");
         if (_points == 2 && isRelative && (point != start || z != 0.0)) return Wrong(Wording.Get("Xps.SecondLineNotZero"));
-        if (_points == 2) Teller.GoTo(point);
-        if (_points >= 4) Teller.CurveTo(_from + ((_to - _before) * (1.0 / 6.0)), _to - ((point - _from) * (1.0 / 6.0)), _to);
+        if (_points == 2) Tracer.GoTo(point);
+        if (_points >= 4) Tracer.CurveTo(_from + ((_to - _before) * (1.0 / 6.0)), _to - ((point - _from) * (1.0 / 6.0)), _to);
         (_before, _from, _to) = (_from, _to, point);
         return null;
     }

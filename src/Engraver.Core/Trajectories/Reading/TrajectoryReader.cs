@@ -15,20 +15,20 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
     public const string Mark = "; trajectory ";
 
     /// <summary>Number of findings after which reading stops.</summary>
-    private const int MostFindings = 100;
+    private const int MaxFindings = 100;
 
-    public bool TellsHeights => false;
+    public bool ReportsHeights => false;
 
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
         var start = request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y);
-        return Task.FromResult<IReadOnlyList<Diagnostic>>(new Replay(language, new TrajectoryTeller(request), start).Run(new ProgramRows(text), cancellation));
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(new TrajectoryReplay(language, new TrajectoryTracer(request), start).Run(new ProgramRows(text), cancellation));
     }
 
     /// <summary>Reads through a text. An error in a file is one finding: its remaining rows are skipped, and the next file is read.</summary>
-    private sealed class Replay(ControllerLanguage language, TrajectoryTeller teller, Point2D start)
+    private sealed class TrajectoryReplay(ControllerLanguage language, TrajectoryTracer teller, Point2D start)
     {
         private readonly List<Diagnostic> _findings = [];
         private Point2D _start = start;
@@ -38,7 +38,7 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
 
         public List<Diagnostic> Run(ProgramRows lines, CancellationToken cancellation)
         {
-            while (_findings.Count < MostFindings && lines.Next() is { } row)
+            while (_findings.Count < MaxFindings && lines.Next() is { } row)
             {
                 cancellation.ThrowIfCancellationRequested();
                 if (row.StartsWith(Mark, StringComparison.Ordinal)) Begin(row, lines.Number);
@@ -79,31 +79,17 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
     }
 }
 
-/// <summary>Format in which a controller reads a trajectory file.</summary>
-public enum ControllerLanguage
-{
-    /// <summary>Points of the drawing.</summary>
-    AbsoluteSpline,
-
-    /// <summary>Points relative to the machine position.</summary>
-    RelativeSpline,
-
-    LineArc,
-
-    Pvt,
-}
-
 /// <summary>One trajectory while its controller runs it, row by row.</summary>
-internal abstract class TrajectoryRun(TrajectoryTeller teller)
+internal abstract class TrajectoryRun(TrajectoryTracer teller)
 {
     /// <summary>Limit of numbers: larger numbers are not valid for a machine, and calculations with them would exceed the range of a double.</summary>
     private const double TooLarge = 1e12;
 
     private int _line;
 
-    protected TrajectoryTeller Teller { get; } = teller;
+    protected TrajectoryTracer Tracer { get; } = teller;
 
-    public static TrajectoryRun Of(ControllerLanguage language, Point2D start, TrajectoryTeller teller) => language switch
+    public static TrajectoryRun Of(ControllerLanguage language, Point2D start, TrajectoryTracer teller) => language switch
     {
         ControllerLanguage.AbsoluteSpline => new SplineRun(default, isRelative: false, teller),
         ControllerLanguage.RelativeSpline => new SplineRun(start, isRelative: true, teller),
@@ -126,7 +112,7 @@ internal abstract class TrajectoryRun(TrajectoryTeller teller)
     protected Diagnostic Unreadable(string words) => Unreadable(_line, words);
 
     /// <summary>Reports that the last row differs from the requirements of the job.</summary>
-    protected void Differ(string said, string expected, int? line = null) => Teller.Request.Terms?.Differ(line ?? _line, said, expected);
+    protected void Differ(string said, string expected, int? line = null) => Tracer.Request.Requirements?.AddDifference(line ?? _line, said, expected);
 
     /// <summary>Number of the last row, from 1.</summary>
     protected int Line => _line;

@@ -47,7 +47,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     private async ValueTask CallAsync(VectorSegment planned, CountsPoint start, int speed)
     {
         var here = machine.Here with { Z = start.Z }; // the tool is brought to this height before the call
-        var segment = SegmentFromHere.Aim(planned, start, here, _quantum);
+        var segment = SegmentFromPosition.Adapt(planned, start, here, _quantum);
         if (segment.Kind == VectorSegmentKind.Line && segment.End == here)
         {
             ledger.Confirm(segment);

@@ -16,7 +16,7 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     /// <summary>Whether the tool should be on in the chunk: on while a sequence runs, off in a rapid (the motion between two sequences); null where that
     /// depends on the line it executes.</summary>
-    public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
+    public static bool? IsToolWanted(JobPoll state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
     {
         (true, true, _) => true,
         (false, false, true) => false,

@@ -11,19 +11,19 @@ internal sealed class HeldMoves(JobMachine machine, JobControl control, JobLog l
 {
     /// <summary>Makes a move and reports how it ended: first to the journal, then to the operator. What ends a move, such as a limit switch, does not end
     /// the job as long as the next poll finds the machine as it should be.</summary>
-    public async ValueTask MakeAsync(HeldMove move)
+    public async ValueTask MakeAsync(MoveInHold move)
     {
         var goal = move.GoalFrom(machine.State.Position);
         if (move.Jog is null && limits.Count > 0 && TravelLimits.Refusal(machine.Profile, goal, move.WithHeight) is { } outside)
         {
-            control.MoveEnds(JobResult.NotStarted(0, outside.Message) with { Diagnostics = [outside] });
+            control.CompleteMove(JobResult.NotStarted(0, outside.Message) with { Diagnostics = [outside] });
             return;
         }
 
         var early = move.Jog is { } jog ? await JogAsync(jog).ConfigureAwait(false) : await JobEnd.OfAsync(new HandMove(machine, goal, move.WithHeight, SpeedOf(move)).CutAsync).ConfigureAwait(false);
         if (early is not null) await BrakeToRestAsync().ConfigureAwait(false);
         log.ControlChanged(machine);
-        control.MoveEnds(Result(early ?? JobEnd.Complete(Wording.Get("HeldMoves.Moved"))));
+        control.CompleteMove(Result(early ?? JobEnd.Complete(Wording.Get("HeldMoves.Moved"))));
     }
 
     /// <summary>As long as the key is held, and until the job is to continue. The short watchdog time of a jog is in force meanwhile.</summary>
@@ -41,7 +41,7 @@ internal sealed class HeldMoves(JobMachine machine, JobControl control, JobLog l
         await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
     }
 
-    private static Func<MachineAxis, int>? SpeedOf(HeldMove move) => move.MmPerMinute is { } speed ? axis => axis.AxisSpeed(speed) : null;
+    private static Func<MachineAxis, int>? SpeedOf(MoveInHold move) => move.MmPerMinute is { } speed ? axis => axis.AxisSpeed(speed) : null;
 
     private JobResult Result(JobEnd end) => JobResult.NotStarted(0, end.Sentence) with
     {

@@ -33,7 +33,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, JobLog log
     public bool IsRequested => !_isAttending && machine.Speed.IsChangeRequested;
 
     /// <summary>A path that still runs this long after VR 0 does not obey it: twice the longest ramp, and two seconds.</summary>
-    private double SamplesToBrake => 1000.0 * (2.0 + (2.0 * JobControl.FeedRange.Fastest * machine.Profile.VectorSpeed() / machine.Profile.AccelerationCounts));
+    private double SamplesToBrake => 1000.0 * (2.0 + (2.0 * JobControl.FeedRange.Max * machine.Profile.VectorSpeed() / machine.Profile.AccelerationCounts));
 
     /// <summary>Call after every poll: holds, or puts an override in force.</summary>
     public async ValueTask AttendAsync()
@@ -211,7 +211,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, JobLog log
     {
         Phase = phase;
         control.Enter(phase);
-        if (phase != JobPhase.Held && control.Move is not null) control.MoveEnds(JobResult.NotStarted(0, Wording.Get("JobHold.Resumed"))); // requested just before the resume, and not meant for the next hold
+        if (phase != JobPhase.Held && control.Move is not null) control.CompleteMove(JobResult.NotStarted(0, Wording.Get("JobHold.Resumed"))); // requested just before the resume, and not meant for the next hold
         log.ControlChanged(machine);
     }
 }

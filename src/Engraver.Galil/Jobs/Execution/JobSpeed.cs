@@ -15,7 +15,7 @@ internal sealed class JobSpeed(JobMachine machine, JobControl control)
     private double _rapidRatio = 1.0;
 
     /// <summary>The largest override that the sequences in progress allow; computed only where more than the planned speed is requested.</summary>
-    private Lazy<double> _most = new(JobControl.FeedRange.Fastest);
+    private Lazy<double> _most = new(JobControl.FeedRange.Max);
 
     /// <summary>VR as it was last sent.</summary>
     public double Ratio { get; private set; } = 1.0;
@@ -35,8 +35,8 @@ internal sealed class JobSpeed(JobMachine machine, JobControl control)
     /// <summary>These sequences are run from now on.</summary>
     /// <param name="hostFeeds">The host sends the segments while they are cut: a long run of short ones has a maximum speed.</param>
     public void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds) => _most = new Lazy<double>(() => Math.Min(
-        SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Fastest),
-        hostFeeds ? sequences.Min(sequence => FeedLimit.For(sequence.Segments, (int)(sequence.Speed * JobControl.FeedRange.Fastest)) / (double)sequence.Speed) : JobControl.FeedRange.Fastest));
+        SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Max),
+        hostFeeds ? sequences.Min(sequence => FeedLimit.For(sequence.Segments, (int)(sequence.Speed * JobControl.FeedRange.Max)) / (double)sequence.Speed) : JobControl.FeedRange.Max));
 
     /// <summary>SP of one axis under the rapid override.</summary>
     public int RapidSpeed(MachineAxis axis) => Math.Max(DmcLimits.SlowestSpeed, 2 * (int)(machine.Profile.RapidSpeed(axis) * control.RapidRatio / 2.0));

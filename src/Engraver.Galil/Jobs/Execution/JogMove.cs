@@ -200,7 +200,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
     {
         foreach (var limit in limits)
         {
-            if (limit.Axis == axis.Letter) return forward ? limit.Most : limit.Least;
+            if (limit.Axis == axis.Letter) return forward ? limit.Max : limit.Min;
         }
 
         return null;

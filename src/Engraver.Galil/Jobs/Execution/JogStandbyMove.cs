@@ -68,6 +68,6 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
         machine.Watch.HasProgress();
         await new JogMove(machine, control, limits).KeptReadyAsync().ConfigureAwait(false);
         await machine.Commands.WatchAsUsualAsync().ConfigureAwait(false);
-        standby.Stands(JobResult.NotStarted(0, Wording.Get("JogMove.AtRest")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.Frame.Taken });
+        standby.CompleteJog(JobResult.NotStarted(0, Wording.Get("JogMove.AtRest")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.Frame.Taken });
     }
 }

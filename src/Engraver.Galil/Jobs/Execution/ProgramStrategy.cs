@@ -17,7 +17,7 @@ namespace Engraver.Galil.Jobs.Execution;
 /// No operand reports how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the download itself tests it: when it is refused
 /// for too many lines, the rest of the job is packed for half as many.
 /// </remarks>
-internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ProgramMemory memory, JobOptions options) : IJobStrategy
+internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ControllerProgramMemory memory, JobOptions options) : IJobStrategy
 {
     /// <summary>The override is limited to what the sequences allow that may be run before it can be changed again, seconds at the fastest
     /// override.</summary>
@@ -46,7 +46,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
                 waiting.Dequeue();
                 await RunAsync(chunk).ConfigureAwait(false);
             }
-            else if (refused is { Code: TcCode.DownloadError, Command: "DL" } && _memoryLines / 2 >= job.FewestLines) // too long
+            else if (refused is { Code: TcCode.DownloadError, Command: "DL" } && _memoryLines / 2 >= job.MinLines) // too long
             {
                 _memoryLines /= 2;
                 waiting = Packed(job, [.. waiting.SelectMany(later => later.Parts)]);
@@ -142,7 +142,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
 
     /// <summary>Over a network the speed belongs to seq, which is read with it; on a serial line seq is read earlier, and the speed may be that of any
     /// sequence of the chunk.</summary>
-    private Func<MachineState, PlannedSpeed?> PlannedSpeeds()
+    private Func<JobPoll, PlannedSpeed?> PlannedSpeeds()
     {
         if (machine.Line is null) return state => IsCutting(state) && state.Calls / 2 < _sequences.Count ? PlannedSpeed.Of(_sequences[state.Calls / 2].Speed) : null;
         var any = new PlannedSpeed(_sequences.Min(sequence => sequence.Speed), _sequences.Max(sequence => sequence.Speed));
@@ -159,7 +159,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         for (var i = sequence; i < _sequences.Count && (i == sequence || seconds < SecondsAhead); i++)
         {
             ahead.Add(_sequences[i]);
-            if (i > sequence) seconds += SpeedTrapezoid.Time(_sequences[i].Length, _sequences[i].Speed * JobControl.FeedRange.Fastest, program.Profile.AccelerationCounts);
+            if (i > sequence) seconds += SpeedTrapezoid.Time(_sequences[i].Length, _sequences[i].Speed * JobControl.FeedRange.Max, program.Profile.AccelerationCounts);
         }
 
         machine.Speed.LimitBy(ahead, hostFeeds: false);
@@ -169,9 +169,9 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SpeedTrapezoid.Time(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
 
     /// <summary>True while a sequence is being cut, which has an odd mark.</summary>
-    private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;
+    private static bool IsCutting(JobPoll state) => state.SequenceRunning && state.Calls % 2 != 0;
 
-    private bool IsDone(MachineState state)
+    private bool IsDone(JobPoll state)
     {
         LimitFrom(state.Calls / 2);
         _path.ConfirmUpTo(_chunk!.Executed(state.Calls, state.SequenceRunning ? state.Counter : 0));

@@ -46,7 +46,7 @@ internal static class RapidMove
         var at = machine.State.Position;
         if (at == goal) return;
         var why = await machine.Watch.Fault.WhyStoppedAsync().ConfigureAwait(false);
-        throw JobEnd.Broken(at.IsBeside(goal) ? Wording.Get("RapidMove.HeightNotReached", goal.Z, at.Z, why) : Wording.Get("RapidMove.EndedEarly", goal.X, goal.Y, at.X, at.Y, why)).ToException();
+        throw JobEnd.Broken(at.IsSameInPlan(goal) ? Wording.Get("RapidMove.HeightNotReached", goal.Z, at.Z, why) : Wording.Get("RapidMove.EndedEarly", goal.X, goal.Y, at.X, at.Y, why)).ToException();
     }
 
     /// <summary>Why the job ends where an axis is not between start and goal; null where each is.</summary>

@@ -21,7 +21,7 @@ internal static class ResidentServer
     /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it
     /// starts.</summary>
     public static string DefineVariables(MachineProfile profile) =>
-        DmcFormat.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
+        DmcFormat.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StandstillTickLimit}={StandstillLimit.ControllerTicks(profile)}");
 
     /// <summary>By this number the variables that the watchdog leaves are known to be of this job.</summary>
     public static string MarkCommand(int mark) => DmcFormat.Text($"{Variables.JobMark}={mark}");
@@ -49,7 +49,7 @@ internal static class ResidentServer
 
     /// <summary>True for a resident program of a job with this profile, of any mode, and for its homing.</summary>
     public static bool IsOwn(string program, MachineProfile profile) =>
-        ProgramText.AreSame(program, ForStream(profile).Text) || ProgramText.AreSame(program, ForCalls(profile).Text) || (profile.HasHoming && ProgramText.AreSame(program, ForHoming(profile).Text)) || SupervisedProgram.IsChunk(program, profile);
+        ProgramText.AreEquivalent(program, ForStream(profile).Text) || ProgramText.AreEquivalent(program, ForCalls(profile).Text) || (profile.HasHoming && ProgramText.AreEquivalent(program, ForHoming(profile).Text)) || SupervisedProgram.IsChunk(program, profile);
 
     public static string StartCommand(ResidentProgram program) => DmcFormat.Text($"XQ {program.EntryLabel},{MainThread}");
 
@@ -64,7 +64,7 @@ internal static class ResidentServer
     public static IReadOnlyList<string> DefineHeight(MachineProfile profile, CountsPoint? frame, int lift, bool isCut)
     {
         if (profile.Axes.Z is not { } z || profile.Height is null) return [];
-        if (!isCut) return [DmcFormat.Text($"{Subprograms.ClearanceHeight}={-profile.Up * (long)int.MaxValue}")];
+        if (!isCut) return [DmcFormat.Text($"{Subprograms.ClearanceHeight}={-profile.UpSign * (long)int.MaxValue}")];
         return [frame is { } at ? DmcFormat.Text($"{Subprograms.ClearanceHeight}={at.Z + profile.ClearanceCounts}") : DmcFormat.Text($"{Subprograms.ClearanceHeight}=_RP{z.Letter}{profile.ClearanceCounts + lift:+0;-0}")];
     }
 

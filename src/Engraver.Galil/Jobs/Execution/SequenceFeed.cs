@@ -134,7 +134,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return;
         var ahead = Ahead;
-        _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreLeading(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
         await machine.Commands.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
         await SettingCheck.ReadBackAsync(
@@ -229,7 +229,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
             throw JobEnd.Deviated(Wording.Get("SequenceFeed.PathLengthDiffers", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y)).ToException();
     }
 
-    private bool HasEnded(MachineState state)
+    private bool HasEnded(JobPoll state)
     {
         if (state.SequenceRunning) ConfirmUpTo(state.Counter);
         return state.IsAtRest;
@@ -248,7 +248,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         using var closed = machine.Enter(machine.Phase with { Expected = null, Speed = null });
         if (isAxis) await machine.Tool.OffAsync().ConfigureAwait(false);
         if (deviated is not null) throw deviated.ToException();
-        if ((await PlaceQuestions.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).Uncounted.Length == 0) return;
+        if ((await PositionQueries.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).WithoutEncoder.Length == 0) return;
         var at = machine.State.Position;
         throw (JobEnd.Broken(Wording.Get("SequenceFeed.OutOfSegmentsWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") }).ToException();
     }

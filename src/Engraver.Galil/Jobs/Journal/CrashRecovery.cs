@@ -31,7 +31,7 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
     private static CrashRecovery? Read(string copyPath, JournalFound now)
     {
         var journal = copyPath[..^CopySuffix.Length];
-        return JobJournal.IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
+        return JobJournal.IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ControllerProgramMemory.CopyEncoding)) : null;
     }
 
     /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written is not

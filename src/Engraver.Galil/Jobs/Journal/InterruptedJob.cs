@@ -8,14 +8,14 @@ namespace Engraver.Galil.Jobs.Journal;
 /// <param name="Place">The last place that it states; what is before it was cut.</param>
 /// <param name="Opened">The sequence, call or program that was started last; null for none.</param>
 /// <param name="End">Null where the job did not end properly.</param>
-public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
+public sealed record InterruptedJob(JournalHeader Header, JobPosition Place, JournalOpened? Opened, JournalEnd? End)
 {
     /// <summary>Position of the machine in the line that states <see cref="Place"/>, the controller's own counts; null where the line does not state
     /// it.</summary>
-    public (long X, long Y)? At { get; init; }
+    public (long X, long Y)? Position { get; init; }
 
     /// <summary>That line is the end of a job that a fault ended: an axis that could not follow is beside the path.</summary>
-    public bool IsAtFault { get; init; }
+    public bool EndedByFault { get; init; }
 
     /// <summary>Why the journal is not as it was written; empty where it is.</summary>
     public string Fault { get; private init; } = "";
@@ -28,7 +28,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
 
     /// <summary>Why it cannot be resumed, whatever the settings: nothing is left to cut, or how far it was cut is not known. Empty where it
     /// can.</summary>
-    public string WhyOver => this switch
+    public string NotResumableReason => this switch
     {
         { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.JournalIncomplete", reason),
         { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
@@ -61,7 +61,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
         return job is null ? null : job with { Fault = check.Fault, IsUnsealed = check.IsUnsealed };
     }
 
-    private InterruptedJob Reached(JobPlace place, (long X, long Y)? at, bool isAtFault) => place > Place ? this with { Place = place, At = at, IsAtFault = isAtFault } : this;
+    private InterruptedJob Reached(JobPosition place, (long X, long Y)? at, bool isAtFault) => place > Place ? this with { Place = place, Position = at, EndedByFault = isAtFault } : this;
 
     private static InterruptedJob? After(InterruptedJob? job, string kind, string line)
     {
@@ -69,12 +69,12 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
         {
             return (job, kind) switch
             {
-                (_, "job") when JobJournal.Read<JournalHeader>(line) is { } header => new InterruptedJob(header, new JobPlace(header.FromSegments, header.FromAlong), null, null),
+                (_, "job") when JobJournal.Read<JournalHeader>(line) is { } header => new InterruptedJob(header, new JobPosition(header.FromSegments, header.FromAlong), null, null),
                 (not null, "resumed") => job with { ResumedBy = JobJournal.Read<JournalResumed>(line)?.By },
                 (not null, "givenUp") when JobJournal.Read<JournalGivenUp>(line) is { } lost => job with { GivenUp = lost.Reason },
                 (not null, "opened") => job with { Opened = JobJournal.Read<JournalOpened>(line) },
-                (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job.Reached(new JobPlace(now.Cut, now.Along), (now.X, now.Y), isAtFault: false),
-                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPlace(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome != JobOutcome.Stopped),
+                (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job.Reached(new JobPosition(now.Cut, now.Along), (now.X, now.Y), isAtFault: false),
+                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPosition(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome != JobOutcome.Stopped),
                 _ => job,
             };
         }

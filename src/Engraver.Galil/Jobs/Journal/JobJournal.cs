@@ -147,61 +147,10 @@ internal sealed class JobJournal : IDisposable
     }
 }
 
-/// <summary>Last line of a job in the journal; a job without it did not end properly.</summary>
-/// <param name="LeftAsFound">Program, settings and motors of the controller are restored; otherwise the next run restores them.</param>
-public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, long? X, long? Y, double Time, bool LeftAsFound)
-{
-    public string Kind { get; } = "end";
-
-    /// <summary>Segments that were certainly cut as a whole.</summary>
-    public int Cut { get; init; }
-
-    /// <summary>Counts along the next one that were cut too.</summary>
-    public double Along { get; init; }
-}
-
-/// <summary>The controller's state before a job, written before anything in it is changed: if this program fails, the next run restores it
-/// (<see cref="CrashRecovery"/>).</summary>
-/// <param name="Address">The controller's address.</param>
-/// <param name="Controller">Its model string.</param>
-/// <param name="SerialNumber">_BN; null where the controller does not report it.</param>
-/// <param name="State">Settings; the program memory is in a file beside the journal.</param>
-public sealed record JournalFound(string Address, string Controller, double? SerialNumber, FoundState State)
-{
-    public string Kind { get; } = "found";
-
-    /// <summary>True when both describe the same controller.</summary>
-    internal bool IsSameController(JournalFound other) => (Address, Controller, SerialNumber) == (other.Address, other.Controller, other.SerialNumber);
-}
-
-/// <summary>A later run has restored the controller after the one that failed.</summary>
-/// <param name="By">Journal of the later run.</param>
-public sealed record JournalGivenBack(string By)
-{
-    public string Kind { get; } = "givenBack";
-}
-
-/// <summary>A later job has resumed this one, and has its own journal.</summary>
-/// <param name="By">Path of that journal.</param>
-public sealed record JournalResumed(string By)
-{
-    public string Kind { get; } = "resumed";
-}
-
 /// <summary>The journal could no longer be written while its job continued: how far the job was cut is not known, and it cannot be resumed.</summary>
 public sealed record JournalGivenUp(string Reason)
 {
     public string Kind { get; } = "givenUp";
-}
-
-/// <summary>The operator held or resumed the job, or changed an override.</summary>
-/// <param name="Feed">Factor of the programmed feed.</param>
-/// <param name="Rapid">Factor of the rapid speed.</param>
-/// <param name="X">_RPA.</param>
-/// <param name="Time">Controller seconds since the job began.</param>
-public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, long X, long Y, double Time)
-{
-    public string Kind { get; } = "control";
 }
 
 /// <summary>The lines of the journal.</summary>
@@ -216,29 +165,3 @@ public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, l
 [JsonSerializable(typeof(JournalControl))]
 [JsonSerializable(typeof(JournalOpened))]
 internal sealed partial class JournalJson : JsonSerializerContext;
-
-/// <summary>A sequence that is complete, or the progress of a long one.</summary>
-/// <param name="Sequence">Index of the sequence in its stroke.</param>
-/// <param name="Entity">Drawing entity of the last executed segment, -1 before the first.</param>
-/// <param name="SegmentsExecuted">Since the job began, as the controller counted.</param>
-/// <param name="X">_RPA.</param>
-/// <param name="Time">Controller seconds since the job began.</param>
-public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int SegmentsExecuted, long X, long Y, double Time)
-{
-    public string Kind { get; } = "progress";
-
-    /// <summary>Segments that are certainly cut as a whole.</summary>
-    public int Cut { get; init; }
-
-    /// <summary>Counts along the next one that are cut too.</summary>
-    public double Along { get; init; }
-}
-
-/// <summary>A sequence, a call or a program is about to begin: what the controller counts from now on belongs to it.</summary>
-/// <param name="First">Its first segment, in the order of cutting of the whole program.</param>
-/// <param name="Starts">Segments before each of its sequences, and as the last number all of them.</param>
-/// <param name="Calls">seq before it.</param>
-public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Calls)
-{
-    public string Kind { get; } = "opened";
-}

@@ -25,9 +25,9 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     public string WhyNotThere()
     {
         var place = job.Place;
-        if (place <= new JobPlace(job.Header.FromSegments, job.Header.FromAlong) || job.At is not { } at) return "";
+        if (place <= new JobPosition(job.Header.FromSegments, job.Header.FromAlong) || job.Position is not { } at) return "";
         var here = new Point2D(at.X - job.Header.FrameX, at.Y - job.Header.FrameY);
-        if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.IsAtFault ? IsNear(place, here) : IsAhead(place, here))) return "";
+        if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.EndedByFault ? IsNear(place, here) : IsAhead(place, here))) return "";
         return Wording.Get("Resume.PositionElsewhere", place.Segments, program.SegmentCount, Math.Round(place.Along), at.X, at.Y);
     }
 
@@ -42,41 +42,41 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
             JobMode.Program when sequences is { } calls => opened.Starts[(int)Math.Clamp(Math.Ceiling(calls / 2.0), 0.0, opened.Starts.Count - 1)],
             _ => opened.Starts[^1],
         });
-        return job.Place.Segments > counted ? Contradicted(new JobPlace(counted, 0.0)) : "";
+        return job.Place.Segments > counted ? Contradicted(new JobPosition(counted, 0.0)) : "";
     }
 
     /// <summary>Why the place cannot have been reached when the watchdog stopped the machine; empty when it can. What the controller counts is cleared
     /// between two sequences: then only the position shows it.</summary>
     /// <param name="trip">By what the controller counted.</param>
     /// <param name="at">Where it stopped the machine, job frame.</param>
-    public string WhyNotReached(JobPlace trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
+    public string WhyNotReached(JobPosition trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
 
-    private string Contradicted(JobPlace counted) => Wording.Get("Resume.CountersContradict", job.Place.Segments, Math.Round(job.Place.Along), counted.Segments, Math.Round(counted.Along));
+    private string Contradicted(JobPosition counted) => Wording.Get("Resume.CountersContradict", job.Place.Segments, Math.Round(job.Place.Along), counted.Segments, Math.Round(counted.Along));
 
     /// <summary>Where a fault ended the job, its axes may be beside the path by the allowed position error.</summary>
-    private bool IsNear(JobPlace place, Point2D here)
+    private bool IsNear(JobPosition place, Point2D here)
     {
-        var (start, segment) = program.SegmentBehind(place.Segments) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
-        var there = segment.Length > 0.0 ? new SegmentCourse(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
+        var (start, segment) = program.SegmentAfter(place.Segments) is var (from, next, _) ? (from, next) : (program.SegmentAfter(place.Segments - 1)!.Value.Segment.End, default);
+        var there = segment.Length > 0.0 ? new SegmentPath(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
         var allowed = Reach + program.Profile.Scale.Finer.CountsOf(program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond));
         return there.DistanceTo(here) <= allowed || IsAhead(place, here);
     }
 
     /// <summary>Whether the machine is at the place, or a little ahead of it on its path or on its way to the next stroke.</summary>
-    private bool IsAhead(JobPlace place, Point2D here)
+    private bool IsAhead(JobPosition place, Point2D here)
     {
         var (reach, slack) = (Reach, Slack);
-        var before = place is { Segments: > 0, Along: 0.0 } ? program.SegmentBehind(place.Segments - 1) : null;
+        var before = place is { Segments: > 0, Along: 0.0 } ? program.SegmentAfter(place.Segments - 1) : null;
         var along = place.Along;
         for (var i = place.Segments; reach >= 0.0; i++)
         {
-            var next = program.SegmentBehind(i);
+            var next = program.SegmentAfter(i);
             var from = next?.Start ?? program.Finish;
             if (before is var (_, ended, stroke) && (next?.Stroke != stroke) && IsBetween(ended.End, from ?? ended.End, here, slack)) return true;
             if (next is not var (start, segment, _)) return false;
-            var course = new SegmentCourse(start, segment);
+            var course = new SegmentPath(start, segment);
             if (along > segment.Length + slack) return false;
-            var passed = course.AlongTo(here, 0.0);
+            var passed = course.LengthTo(here, 0.0);
             if (course.DistanceTo(here) <= slack && (IsUpright(start, segment) || (passed >= along - slack && passed <= along + reach + slack))) return true;
             (reach, along, before) = (reach - Math.Max(0.0, segment.Length - along), 0.0, next);
         }
@@ -95,5 +95,5 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     private double Reach => (LaterSeconds * Speed) + (Speed * Speed / (2.0 * program.Profile.AccelerationCounts));
 
     /// <summary>The fastest that the path may be anywhere, counts/s: the machine may already be in a faster sequence.</summary>
-    private double Speed { get; } = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * JobControl.FeedRange.Fastest;
+    private double Speed { get; } = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * JobControl.FeedRange.Max;
 }

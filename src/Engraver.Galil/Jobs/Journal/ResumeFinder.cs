@@ -21,26 +21,26 @@ internal static class ResumeFinder
     private const double TripSeconds = 0.005;
 
     /// <exception cref="ControllerException">The link failed.</exception>
-    public static async Task<ResumePlace> FindAsync(CommandChannel channel, MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
+    public static async Task<ResumePosition> FindAsync(CommandChannel channel, MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
     {
         var job = Read(journal, out var refused);
-        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Strategy = job?.Header.Mode.Strategy(), Settings = job?.Header.Settings, IsOtherPath = job is not null && Unfit(job, mode).Length == 0 };
+        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePosition.Refused(refused) with { Strategy = job?.Header.Mode.Strategy(), Settings = job?.Header.Settings, IsPathChanged = job is not null && Unfit(job, mode).Length == 0 };
         var witness = new JournalWitness(job, program);
-        if (witness.WhyNotThere() is { Length: > 0 } elsewhere) return ResumePlace.Refused(elsewhere);
+        if (witness.WhyNotThere() is { Length: > 0 } elsewhere) return ResumePosition.Refused(elsewhere);
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Strategy = mode.Strategy(), HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
+        var found = new ResumePosition(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Strategy = mode.Strategy(), HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
         var sequences = kept == job.Header.Mark ? await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false) : null;
-        if (witness.WhyNotCounted(sequences) is { Length: > 0 } contradicted) return ResumePlace.Refused(contradicted);
+        if (witness.WhyNotCounted(sequences) is { Length: > 0 } contradicted) return ResumePosition.Refused(contradicted);
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
         if (await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false) is not var (trip, at)) return found;
-        if (witness.WhyNotReached(trip, at) is { Length: > 0 } passed) return ResumePlace.Refused(passed);
+        if (witness.WhyNotReached(trip, at) is { Length: > 0 } passed) return ResumePosition.Refused(passed);
         return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;
     }
 
     /// <summary>The place at which the watchdog switched the tool off, or began to brake a tool that an axis drives.</summary>
-    private static async Task<(JobPlace Place, CountsPoint At)?> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
+    private static async Task<(JobPosition Place, CountsPoint At)?> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
     {
         var counter = await AskAsync(channel, ResidentProgram.Variables.TripCounter, cancellation).ConfigureAwait(false);
         var calls = await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false);
@@ -56,7 +56,7 @@ internal static class ResumeFinder
             _ => ChunkProgress.Within(opened.Starts, (int)calls, (int)counter),
         };
         var at = new CountsPoint((int)x - frame.X, (int)y - frame.Y, isTall ? (int)z - job.Header.FrameZ : 0);
-        return (PlaceOnProgram.Find(program, opened.First + within, at, OnPath), at);
+        return (ProgramPositionFinder.Find(program, opened.First + within, at, OnPath), at);
     }
 
     /// <summary>Reads the journal, and makes sure that it can be written: otherwise it could not be noted there that its job was resumed, and the job
@@ -74,7 +74,7 @@ internal static class ResumeFinder
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            refused = Wording.Get(writing ? "Resume.Unwritable" : "Resume.Unreadable", SystemReason.Of(failure));
+            refused = Wording.Get(writing ? "Resume.Unwritable" : "Resume.Unreadable", SystemErrorText.FromException(failure));
             return null;
         }
     }
@@ -89,12 +89,12 @@ internal static class ResumeFinder
     private static string Unfit(InterruptedJob job, JobMode mode) => job switch
     {
         { Fault: { Length: > 0 } fault } => fault,
-        { WhyOver: { Length: > 0 } over } => over,
+        { NotResumableReason: { Length: > 0 } over } => over,
         { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", other.Strategy().Key, mode.Strategy().Key),
         _ => "",
     };
 
-    private static double Speed(MotionProgram program, JobPlace place) => program.SpeedBehind(place.Segments) * JobControl.FeedRange.Fastest;
+    private static double Speed(MotionProgram program, JobPosition place) => program.SpeedAfter(place.Segments) * JobControl.FeedRange.Max;
 
-    private static async Task<double?> AskAsync(CommandChannel channel, string variable, CancellationToken cancellation) => (await channel.ReadAsync(variable, cancellation).ConfigureAwait(false)).OrNothing;
+    private static async Task<double?> AskAsync(CommandChannel channel, string variable, CancellationToken cancellation) => (await channel.ReadAsync(variable, cancellation).ConfigureAwait(false)).ValuesOrEmpty;
 }

@@ -2,14 +2,6 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>The speeds of the sequences that may be in progress when a poll is read, counts/s, without the feed override.</summary>
-/// <param name="Lowest">VS of its slowest sequence.</param>
-/// <param name="Highest">VS of its fastest sequence.</param>
-internal readonly record struct PlannedSpeed(int Lowest, int Highest)
-{
-    public static PlannedSpeed Of(int speed) => new(speed, speed);
-}
-
 /// <summary>Compares the speed of the path (_VMS, in every poll) with the planned speed times the ratio that the job sent: VS, VR and VA act in motion,
 /// whichever host or program sets them (galil-dmc.md B.4).</summary>
 /// <remarks>
@@ -52,7 +44,7 @@ internal sealed class FeedWatch(JobMachine machine)
         return false;
     }
 
-    private bool IsForeign(in MachineState state, double seconds, PlannedSpeed planned, double ratio)
+    private bool IsForeign(in JobPoll state, double seconds, PlannedSpeed planned, double ratio)
     {
         if (!_isFollowing || state.Calls != _calls) Begin(state, seconds, planned.Highest * ratio, ratio);
         Follow(seconds, planned.Highest * ratio, ratio);
@@ -62,7 +54,7 @@ internal sealed class FeedWatch(JobMachine machine)
         return isFast || isSlow;
     }
 
-    private void Begin(in MachineState state, double seconds, double target, double ratio)
+    private void Begin(in JobPoll state, double seconds, double target, double ratio)
     {
         (_isFollowing, _calls, _fastInARow, _ceiling, _ratio) = (true, state.Calls, 0, target, ratio);
         (_last, _window, _slowSince) = ((seconds, state.PathSpeed), (seconds, state.PathSpeed), null);

@@ -57,7 +57,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         get
         {
             var at = machine.State.Position;
-            return program.SegmentBehind(ledger.Executed) is var (_, segment, stroke)
+            return program.SegmentAfter(ledger.Executed) is var (_, segment, stroke)
                 ? Wording.Get("JobFault.PositionOnStroke", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityIndex)
                 : Wording.Get("JobFault.Position", at.X, at.Y);
         }
@@ -68,7 +68,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
     public async ValueTask<JobEnd> ProgramEndedAsync()
     {
         var end = await WhyProgramEndedAsync().ConfigureAwait(false);
-        return machine.State.ProgramError == SupervisedProgram.Strayed ? end with { Sentence = end.Sentence + machine.Phase.Place(machine.State) } : end;
+        return machine.State.ProgramError == SupervisedProgram.EndedEarlyCode ? end with { Sentence = end.Sentence + machine.Phase.Place(machine.State) } : end;
     }
 
     private async ValueTask<JobEnd> WhyProgramEndedAsync()
@@ -77,7 +77,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         if (machine.State.Trip != 0)
             return JobEnd.LinkLost(Wording.Get("JobMachine.WatchdogTripped", machine.Commands.WatchdogSeconds), LinkLoss.Watchdog);
         if (machine.State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
-        if (machine.State.ProgramError == SupervisedProgram.Strayed)
+        if (machine.State.ProgramError == SupervisedProgram.EndedEarlyCode)
             return JobEnd.Broken(Wording.Get("JobMachine.MotionEndedEarly", machine.State.Position.X, machine.State.Position.Y, await WhyStoppedAsync().ConfigureAwait(false)));
         if (machine.State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
         var line = await machine.Commands.TryAskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false) ?? 0.0;

@@ -12,7 +12,7 @@ internal sealed class ProgressWatch(MachineProfile profile)
     private const double SamplesPerSecond = 1000.0;
     private const int FewestPolls = 10;
 
-    private MachineState? _last;
+    private JobPoll? _last;
     private long _since;
     private int _polls;
 
@@ -23,13 +23,13 @@ internal sealed class ProgressWatch(MachineProfile profile)
     public void Acted() => _last = null;
 
     /// <summary>Call with each poll.</summary>
-    public bool IsStalled(in MachineState now)
+    public bool IsStalled(in JobPoll now)
     {
         if (_last is not { } last || HasProgress(last, now)) (_since, _polls) = (now.Time, 0);
         _last = now;
         return ++_polls > FewestPolls && PollTimes.SamplesSince(_since, now.Time) > Seconds * SamplesPerSecond;
     }
 
-    private static bool HasProgress(in MachineState before, in MachineState now) =>
+    private static bool HasProgress(in JobPoll before, in JobPoll now) =>
         before.Position != now.Position || before.Counter != now.Counter || before.Calls != now.Calls || before.SequenceRunning != now.SequenceRunning || before.AxesRunning != now.AxesRunning;
 }

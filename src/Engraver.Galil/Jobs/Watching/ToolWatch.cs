@@ -17,7 +17,7 @@ internal sealed class ToolWatch
     /// <summary>Call with each poll; true when the output was wrong for long enough.</summary>
     /// <param name="wanted">Null where it is not known.</param>
     /// <param name="isSwitchedByProgram">A program in the controller switches it, not this job.</param>
-    public bool IsWrong(in MachineState now, bool isOn, bool? wanted, bool isSwitchedByProgram)
+    public bool IsWrong(in JobPoll now, bool isOn, bool? wanted, bool isSwitchedByProgram)
     {
         IsMissing = wanted == true && !isOn;
         var isAgain = _callsWhenWrong is { } before && (!isSwitchedByProgram || before == now.Calls);

@@ -28,11 +28,11 @@ public readonly record struct ArcPrediction(Point2D From, int Radius, double The
     {
         var path = Path;
         var shift = path.Centre - wanted.Centre;
-        var worst = Math.Max(Off(path.StartPoint, wanted), Off(path.EndPoint, wanted));
+        var worst = Math.Max(DistanceFromCircle(path.StartPoint, wanted), DistanceFromCircle(path.EndPoint, wanted));
         if (path.Covers(shift.Direction)) worst = Math.Max(worst, Math.Abs(Radius + shift.Length - wanted.Radius));
         if (path.Covers((-shift).Direction)) worst = Math.Max(worst, Math.Abs(Math.Abs(Radius - shift.Length) - wanted.Radius));
         return worst;
     }
 
-    private static double Off(Point2D place, ArcSegment wanted) => Math.Abs(place.DistanceTo(wanted.Centre) - wanted.Radius);
+    private static double DistanceFromCircle(Point2D place, ArcSegment wanted) => Math.Abs(place.DistanceTo(wanted.Centre) - wanted.Radius);
 }

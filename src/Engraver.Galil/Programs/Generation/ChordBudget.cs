@@ -12,9 +12,9 @@ namespace Engraver.Galil.Programs.Generation;
 internal static class ChordBudget
 {
     /// <summary>Maximum number of chords of a drawing; a program with more lines is never posted or sent.</summary>
-    public const int Most = 1_000_000;
+    public const int MaxChords = 1_000_000;
 
-    /// <summary>The error that names the arc with the most chords; null while the drawing needs at most <see cref="Most"/>.</summary>
+    /// <summary>The error that names the arc with the most chords; null while the drawing needs at most <see cref="MaxChords"/>.</summary>
     /// <param name="toolpath">All coordinates are finite and fit counts at this scale.</param>
     /// <param name="scale">Counts per millimetre.</param>
     /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>
@@ -27,15 +27,15 @@ internal static class ChordBudget
         {
             foreach (var move in stroke.Moves)
             {
-                if (move.Segment.Kind == SegmentKind.Line || (scale.KeepsCircles && ArcAim.CanHold(scale.Exact(move.Segment.Arc).Radius))) continue;
+                if (move.Segment.Kind == SegmentKind.Line || (scale.IsUniform && ArcCommandFit.CanHold(scale.Exact(move.Segment.Arc).Radius))) continue;
                 var count = ArcChords.Count(move.Segment.Arc, error);
                 all += count;
                 if (count > most) (most, worst) = (count, move);
             }
         }
 
-        if (all <= Most) return null;
-        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpToRadius", NumberText.Rounded(scale.Finer.LengthOf(DmcLimits.LargestRadius), 3)) : Wording.Get("ChordBudget.NoArcs");
-        return MotionRules.TooManyChords.At(source(worst.EntityIndex), NumberText.Rounded(all, 3), NumberText.Rounded(Most, 3), NumberText.Rounded(worst.Segment.Arc.Radius, 3), NumberText.Rounded(most, 3), arcs);
+        if (all <= MaxChords) return null;
+        var arcs = scale.IsUniform ? Wording.Get("ChordBudget.ArcsUpToRadius", NumberText.Rounded(scale.Finer.LengthOf(DmcLimits.LargestRadius), 3)) : Wording.Get("ChordBudget.NoArcs");
+        return MotionRules.TooManyChords.At(source(worst.EntityIndex), NumberText.Rounded(all, 3), NumberText.Rounded(MaxChords, 3), NumberText.Rounded(worst.Segment.Arc.Radius, 3), NumberText.Rounded(most, 3), arcs);
     }
 }

@@ -34,7 +34,7 @@ public static class MotionProgramGenerator
         var start = profile.Scale.ToCounts(toolpath.ToolStart);
         SourceRef Source(int entity) => sourceOf?.Invoke(entity) ?? default;
         AddRefusals(toolpath, profile.Scale, start, Source, findings);
-        if (profile.Height is { } drive) findings.AddRange(DrawnHeights.Findings(toolpath, drive, profile.Scale, Source));
+        if (profile.Height is { } drive) findings.AddRange(HeightFindings.Findings(toolpath, drive, profile.Scale, Source));
         var isRefused = findings.Any(finding => finding.Severity == Severity.Error);
         if (!isRefused && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded)
         {
@@ -45,13 +45,13 @@ public static class MotionProgramGenerator
         if (isRefused) return new MotionGeneration(null, findings);
 
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
-        if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
+        if (!profile.Scale.IsUniform && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var columns = new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count));
         var generator = new StrokeGenerator(profile, maxErrorMm, style, columns);
         foreach (var stroke in toolpath.Strokes)
         {
             var isCut = false;
-            foreach (var lift in DrawnHeights.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift);
+            foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift);
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
@@ -73,7 +73,7 @@ public static class MotionProgramGenerator
     {
         var box = move.Segment.Bounds;
         if (!double.IsFinite(box.MinX + box.MinY + box.MaxX + box.MaxY)) return MotionRules.NotFinite.At(source(move.EntityIndex));
-        if (scale.Holds(box, start)) return null;
+        if (scale.IsInRange(box, start)) return null;
         var x = Math.Abs(box.MinX) > Math.Abs(box.MaxX) ? box.MinX : box.MaxX;
         var y = Math.Abs(box.MinY) > Math.Abs(box.MaxY) ? box.MinY : box.MaxY;
         return MotionRules.OutsideCounts.At(source(move.EntityIndex), FactText.Of(x), FactText.Of(y), FactText.Of(scale.X.CountsPerMillimetre), FactText.Of(scale.Y.CountsPerMillimetre));

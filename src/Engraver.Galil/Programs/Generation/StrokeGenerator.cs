@@ -11,13 +11,13 @@ namespace Engraver.Galil.Programs.Generation;
 internal sealed class StrokeGenerator
 {
     /// <summary>Maximum number of halvings of an arc before it is cut as chords.</summary>
-    private const int MostHalvings = 8;
+    private const int MaxHalvings = 8;
 
     private const double ShortestPiece = 8.0;
 
     private readonly CountsScale _scale;
     private readonly double _maxErrorMm;
-    private readonly ArcAim _aim;
+    private readonly ArcCommandFit _arcFit;
     private readonly SequenceBuilder _builder;
     private readonly CornerDetector _corners;
     private readonly MachineProfile _profile;
@@ -35,7 +35,7 @@ internal sealed class StrokeGenerator
         _profile = profile;
         _scale = profile.Scale;
         _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
-        _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
+        _arcFit = new ArcCommandFit(new AngleQuantum(profile.AngleQuantumDegrees));
         _builder = new SequenceBuilder(profile.VectorSpeed(), new SlopeSpeed(profile), style, columns);
         _corners = new CornerDetector(profile, profile.VectorSpeed());
     }
@@ -104,7 +104,7 @@ internal sealed class StrokeGenerator
         {
             _builder.Line(end, _entity);
         }
-        else if (!_scale.KeepsCircles)
+        else if (!_scale.IsUniform)
         {
             foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm)) _builder.Line(_scale.ToCounts(vertex) with { Z = height }, _entity);
         }
@@ -116,7 +116,7 @@ internal sealed class StrokeGenerator
 
     private void Arc(ArcSegment wanted, Point2D trueEnd)
     {
-        if (ArcAim.CanHold(wanted.Radius)) LastPiece(wanted, trueEnd, MostHalvings);
+        if (ArcCommandFit.CanHold(wanted.Radius)) LastPiece(wanted, trueEnd, MaxHalvings);
         else Chords(wanted);
     }
 
@@ -124,7 +124,7 @@ internal sealed class StrokeGenerator
     private void LastPiece(ArcSegment wanted, Point2D trueEnd, int halvings)
     {
         var target = CountsScale.Round(trueEnd);
-        if (_aim.ToEnd(_builder.Position, wanted, new Point2D(target.X, target.Y), trueEnd) is { } aimed)
+        if (_arcFit.ToEnd(_builder.Position, wanted, new Point2D(target.X, target.Y), trueEnd) is { } aimed)
         {
             _builder.Arc(aimed, _entity);
         }
@@ -141,7 +141,7 @@ internal sealed class StrokeGenerator
 
     private void InnerPiece(ArcSegment wanted, int halvings)
     {
-        if (_aim.ToMark(_builder.Position, wanted) is { } aimed)
+        if (_arcFit.ToMark(_builder.Position, wanted) is { } aimed)
         {
             _builder.Arc(aimed, _entity);
         }

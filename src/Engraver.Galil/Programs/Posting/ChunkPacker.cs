@@ -10,16 +10,16 @@ namespace Engraver.Galil.Programs.Posting;
 internal sealed class ChunkPacker
 {
     /// <summary>With fewer lines for the job, every stroke would have to be divided.</summary>
-    private const int LeastRoom = 16;
+    private const int MinRoom = 16;
 
-    private readonly PostForm _form;
+    private readonly PostTemplate _form;
     private readonly DmcPostOptions _options;
     private readonly Func<int, SourceRef>? _sourceOf;
     private readonly int _room;
     private readonly List<(List<string> Lines, List<MotionStroke> Parts)> _chunks = [([], [])];
     private readonly List<Diagnostic> _diagnostics = [];
 
-    private ChunkPacker(PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    private ChunkPacker(PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         _form = form;
         _options = options;
@@ -27,20 +27,20 @@ internal sealed class ChunkPacker
         _room = options.MemoryLines - FixedLines(form);
     }
 
-    /// <summary>The job as chunks. The memory must hold the subprograms and a few lines of the job (<see cref="FewestLines"/>).</summary>
-    public static PackedJob Pack(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    /// <summary>The job as chunks. The memory must hold the subprograms and a few lines of the job (<see cref="MinLines"/>).</summary>
+    public static PackedJob Pack(IEnumerable<MotionStroke> strokes, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var packer = new ChunkPacker(form, options, sourceOf);
-        ArgumentOutOfRangeException.ThrowIfLessThan(packer._room, LeastRoom, nameof(options));
+        ArgumentOutOfRangeException.ThrowIfLessThan(packer._room, MinRoom, nameof(options));
         foreach (var stroke in strokes) packer.Add(stroke);
         return packer.Finish();
     }
 
     /// <summary>The findings of <see cref="Pack"/>. Strokes that certainly fit are not written, only those that may not fit.</summary>
-    public static IReadOnlyList<Diagnostic> Findings(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    public static IReadOnlyList<Diagnostic> Findings(IEnumerable<MotionStroke> strokes, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var packer = new ChunkPacker(form, options, sourceOf);
-        foreach (var stroke in strokes.Where(stroke => form.MostLines(stroke) > packer._room))
+        foreach (var stroke in strokes.Where(stroke => form.MaxLines(stroke) > packer._room))
         {
             packer.Add(stroke);
             packer._chunks.Clear();
@@ -51,9 +51,9 @@ internal sealed class ChunkPacker
     }
 
     /// <summary>The smallest memory for which a job of this form can be packed, lines.</summary>
-    public static int FewestLines(PostForm form) => FixedLines(form) + LeastRoom;
+    public static int MinLines(PostTemplate form) => FixedLines(form) + MinRoom;
 
-    private static int FixedLines(PostForm form)
+    private static int FixedLines(PostTemplate form)
     {
         const int CommentLine = 1;
         return form.Opening(0).Count + form.Closing.Count + CommentLine;
@@ -126,18 +126,4 @@ internal sealed class ChunkPacker
     private static int SegmentsOf(MotionStroke stroke) => stroke.SegmentCount;
 
     private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
-}
-
-/// <summary>A job as chunks that fit the controller's memory.</summary>
-/// <param name="Chunks">In order of cutting.</param>
-/// <param name="Diagnostics">Strokes that had to be divided to fit the memory.</param>
-internal sealed record PackedJob(IReadOnlyList<ProgramChunk> Chunks, IReadOnlyList<Diagnostic> Diagnostics);
-
-/// <summary>One program of a job that does not fit the controller's memory at once.</summary>
-/// <param name="Text">Complete with its subprograms; ends with a line end (LF).</param>
-/// <param name="Parts">The strokes that it cuts, in order; a stroke longer than the memory is divided into several parts, each in a separate chunk.</param>
-internal sealed record ProgramChunk(string Text, IReadOnlyList<MotionStroke> Parts)
-{
-    /// <summary>Every segment in the order of cutting, which is the order of the VP and CR commands in the text.</summary>
-    public IEnumerable<VectorSegment> Segments => Parts.SelectMany(part => part.Sequences).SelectMany(sequence => sequence.Segments);
 }

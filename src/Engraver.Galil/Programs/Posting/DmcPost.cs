@@ -20,14 +20,14 @@ public static class DmcPost
     /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs are computed from there.</param>
     /// <param name="options">The controller's memory.</param>
     /// <param name="sourceOf">Position of an entity in the drawing's file, for diagnostics.</param>
-    public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    public static PostOutput Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
         return Posted(program, CallsForm(program, options), options, sourceOf);
     }
 
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
-    public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null) => Posted(program, SequencesForm(program, options), options, sourceOf);
+    public static PostOutput Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null) => Posted(program, SequencesForm(program, options), options, sourceOf);
 
     /// <summary>The findings of the post in the style of the program. Only strokes that may be too long for the memory are written for this.</summary>
     internal static IReadOnlyList<Diagnostic> Findings(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
@@ -36,28 +36,28 @@ public static class DmcPost
         return TooSmall(form, options) is { } refused ? [refused] : ChunkPacker.Findings(program.Strokes, form, options, sourceOf);
     }
 
-    private static PostForm CallsForm(MotionProgram program, DmcPostOptions options) =>
-        new(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options)) { MostLines = stroke => 3 + stroke.SegmentCount };
+    private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options) =>
+        new(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options)) { MaxLines = stroke => 3 + stroke.SegmentCount };
 
-    private static PostForm SequencesForm(MotionProgram program, DmcPostOptions options)
+    private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
     {
         var axes = program.Profile.Axes;
-        var (toolOn, toolOff) = SequenceSpelling.ToolOf(program.Profile, dryRun: false, height => Text($"oz{height:+0;-0}"));
-        var spelling = new SequenceSpelling(
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, height => Text($"oz{height:+0;-0}"));
+        var spelling = new SequenceSyntax(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        return new PostForm(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MostLines = SequenceWriter.MostLines };
+        return new PostTemplate(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
     }
 
-    private static PostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    private static PostOutput Posted(MotionProgram program, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
-        if (TooSmall(form, options) is { } refused) return new PostText([], [refused]);
+        if (TooSmall(form, options) is { } refused) return new PostOutput([], [refused]);
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
         IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, Text($"{packed.Chunks.Count}"), Text($"{options.MemoryLines}"))] : [];
-        return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
+        return new PostOutput([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
     }
 
-    private static Diagnostic? TooSmall(PostForm form, DmcPostOptions options) => ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed
+    private static Diagnostic? TooSmall(PostTemplate form, DmcPostOptions options) => ChunkPacker.MinLines(form) is var needed && options.MemoryLines < needed
         ? MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))
         : null;
 
@@ -108,7 +108,7 @@ public static class DmcPost
 
     private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
         ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
-        : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circ}");
+        : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circular}");
 
     private static IReadOnlyList<string> CallsClosing(MotionProgram program, DmcPostOptions options)
     {
@@ -117,7 +117,7 @@ public static class DmcPost
         [
             .. End(program, options),
             .. LinearLines(profile, CountCall),
-            .. CircLines(profile, CountCall),
+            .. CircularLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
             .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
             .. MotorTypeTest.Ends(profile),
@@ -150,33 +150,13 @@ public static class DmcPost
         new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line("HX0").Line("EN").Lines;
 }
 
-/// <summary>Inputs of a post in addition to the motion program.</summary>
-public sealed record DmcPostOptions
-{
-    public static DmcPostOptions Default { get; } = new();
-
-    /// <summary>Number of lines of the controller's program memory, including subprograms; a longer job is written in chunks.</summary>
-    public int MemoryLines { get; init; } = DmcLimits.ProgramLines;
-
-    /// <summary>The program supervises itself and ends with the tool off in every case, with no host connected (<see cref="UnattendedProgram"/>).</summary>
-    public bool Unattended { get; init; }
-
-    /// <summary>The drawing's zero by the controller's own zero, counts; null: the drawing's start point is the position of the machine at the start of the
-    /// job.</summary>
-    public PostOrigin? Origin { get; init; }
-}
-
-/// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>
-/// <param name="Z">Of the drawing's height 0; null: the height of the tool at the start of the job.</param>
-public sealed record PostOrigin(long X, long Y, int? Z);
-
 /// <summary>The parts of a program in one way of posting; packing them into chunks is the same for all.</summary>
 /// <param name="Opening">From the label #JOB to before the first stroke; the argument is the number of stroke lines that earlier chunks have run.</param>
 /// <param name="Stroke">Rapid, tool on, cut, tool off.</param>
 /// <param name="Closing">End of the job and every subprogram.</param>
-internal sealed record PostForm(
+internal sealed record PostTemplate(
     Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing)
 {
     /// <summary>Upper bound of the number of lines of a stroke, determined without writing it.</summary>
-    public required Func<MotionStroke, int> MostLines { get; init; }
+    public required Func<MotionStroke, int> MaxLines { get; init; }
 }

@@ -13,15 +13,15 @@ namespace Engraver.Galil.Programs.Posting;
 public sealed class GalilPost : IPost
 {
     /// <summary>Number of lines needed by the subprograms of either way and a few strokes.</summary>
-    private const int FewestLines = 100;
+    private const int MinLines = 100;
 
     private static PostOption Memory => new(
         "memory",
         "LINES",
         Wording.Get("GalilPost.Memory"),
         Text(DmcLimits.ProgramLines),
-        Wording.Get("GalilPost.MemoryValues", FewestLines, DmcLimits.ProgramLines),
-        value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= FewestLines and <= DmcLimits.ProgramLines);
+        Wording.Get("GalilPost.MemoryValues", MinLines, DmcLimits.ProgramLines),
+        value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= MinLines and <= DmcLimits.ProgramLines);
 
     private static PostOption Unattended => new("unattended", "ANSWER", Wording.Get("GalilPost.Unattended"), "no", Wording.Get("GalilPost.YesOrNo"), value => value is "yes" or "no");
 
@@ -41,7 +41,7 @@ public sealed class GalilPost : IPost
 
     public string Summary => Wording.Get("Post." + Name);
 
-    public string Ending => ".dmc";
+    public string FileExtension => ".dmc";
 
     public PostGeometry Geometry => PostGeometry.Program;
 
@@ -50,13 +50,13 @@ public sealed class GalilPost : IPost
     public IReadOnlyList<PostOption> Options => [Memory, Unattended, Origin];
 
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
-    public PostText Write(PostRequest request)
+    public PostOutput Write(PostRequest request)
     {
         var program = ProgramOf(request);
         var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture), Unattended = request.Value(Unattended) == "yes" };
         if (Place(request.Value(Origin)) is { } place)
         {
-            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, NumberText.Exact(place[0]), NumberText.Exact(place[1]), NumberText.Exact(program.Profile.Scale.X.CountsPerMillimetre), NumberText.Exact(program.Profile.Scale.Y.CountsPerMillimetre))]);
+            if (OriginOf(program, place) is not { } origin) return new PostOutput([], [MotionRules.OutsideCounts.At(default, NumberText.Exact(place[0]), NumberText.Exact(place[1]), NumberText.Exact(program.Profile.Scale.X.CountsPerMillimetre), NumberText.Exact(program.Profile.Scale.Y.CountsPerMillimetre))]);
             options = options with { Origin = origin };
         }
 
@@ -95,7 +95,7 @@ public sealed class GalilPost : IPost
         var (at, z) = (new Point2D(place[0], place[1]), place.Length == 3 ? scale.Z.Exact(place[2]) : 0.0);
         if (!scale.Counts(at) || Math.Abs(z) > Room) return null;
         var origin = scale.ToCounts(at);
-        return new ControllerFrame(default, origin).Holds(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;
+        return new ControllerFrame(default, origin).IsInRange(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;
     }
 
     private static string Text(int lines) => lines.ToString(CultureInfo.InvariantCulture);

@@ -14,10 +14,10 @@ public sealed partial class ReadBackProgram(TextReader text)
     private const string Entry = "#JOB";
 
     /// <summary>Maximum number of stored lines of a program. A controller holds half as many, so that a longer program is rejected in any case.</summary>
-    private const int MostLines = 2 * DmcLimits.ProgramLines;
+    private const int MaxLines = 2 * DmcLimits.ProgramLines;
 
     private readonly ProgramRows _lines = new(text);
-    private string? _held;
+    private string? _chunkLines;
     private string _count = "";
     private int _marks;
     private bool _hasAny;
@@ -30,22 +30,22 @@ public sealed partial class ReadBackProgram(TextReader text)
     public (ReadBackChunk? Chunk, Diagnostic? Fault) Next()
     {
         var (lines, first, full) = (new List<string>(), 0, 0);
-        for (var row = _held ?? _lines.Next(); row is not null; row = _lines.Next())
+        for (var row = _chunkLines ?? _lines.Next(); row is not null; row = _lines.Next())
         {
-            if (_held is null && ChunkMark().Match(row) is { Success: true } mark)
+            if (_chunkLines is null && ChunkMark().Match(row) is { Success: true } mark)
             {
                 if (Misplaced(mark, row) is { } misplaced) return (null, misplaced);
                 if (first > 0)
                 {
-                    _held = row;
+                    _chunkLines = row;
                     return Whole(first, lines);
                 }
             }
 
             if (Unusable(row) is { } unusable) return (null, unusable);
-            _held = null;
+            _chunkLines = null;
             if (first == 0) first = _lines.Number;
-            if (lines.Count < MostLines) lines.Add(row);
+            if (lines.Count < MaxLines) lines.Add(row);
             if (!string.IsNullOrWhiteSpace(row)) full = _lines.Number - first + 1;
         }
 
@@ -91,12 +91,4 @@ public sealed partial class ReadBackProgram(TextReader text)
 
     [GeneratedRegex(@"^'CHUNK (?<number>[0-9]{1,9}) OF (?<count>[0-9]{1,9})\s*$", RegexOptions.CultureInvariant)]
     private static partial Regex ChunkMark();
-}
-
-/// <summary>One program of a posted file.</summary>
-/// <param name="FirstLine">Its first line in the file, from 1.</param>
-/// <param name="Lines">At least one.</param>
-public sealed record ReadBackChunk(int FirstLine, IReadOnlyList<string> Lines)
-{
-    public string Text => string.Join('\n', Lines) + "\n";
 }

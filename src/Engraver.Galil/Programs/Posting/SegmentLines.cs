@@ -7,7 +7,7 @@ namespace Engraver.Galil.Programs.Posting;
 public static class SegmentLines
 {
     private static readonly SearchStarts s_segments = new("VP ", "CR ", "LI ");
-    private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circ, "JS" + Subprograms.Slope);
+    private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circular, "JS" + Subprograms.Slope);
 
     /// <returns>Line numbers from 1, one for each segment.</returns>
     public static int[] Map(string text, MotionStyle style) => Map([text], style);

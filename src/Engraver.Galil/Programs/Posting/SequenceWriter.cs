@@ -6,7 +6,7 @@ using static Engraver.Galil.Programs.Subprograms;
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>Writes the strokes of a motion program as vector sequences, several segments a line.</summary>
-internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSpelling spelling)
+internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSyntax spelling)
 {
     /// <summary>Number of segments buffered before the machine starts; the rest follows while it moves.</summary>
     internal const int SentBeforeStart = 480;
@@ -30,7 +30,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 
     /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, and in a sequence
     /// longer than the buffer a wait before each line.</summary>
-    public static int MostLines(MotionStroke stroke)
+    public static int MaxLines(MotionStroke stroke)
     {
         var lines = 2;
         for (var i = 0; i < stroke.Sequences.Count; i++) lines += stroke.Sequences[i].Segments.Count is > SentBeforeStart and var many ? 3 + (2 * many) : 2 + stroke.Sequences[i].Segments.Count;
@@ -85,37 +85,13 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     }
 }
 
-/// <summary>Converts from the job's frame to the controller's own coordinates, which rapids (PA) need: both describe the position of the machine at the start
-/// of the job.</summary>
-/// <param name="JobStart">This position in the job's frame.</param>
-/// <param name="ControllerAtStart">The reading of the controller at this position.</param>
-public readonly record struct ControllerFrame(CountsPoint JobStart, CountsPoint ControllerAtStart)
-{
-    /// <summary>True when this position of the job's frame is within the controller's range of counts.</summary>
-    public bool Holds(CountsPoint job) => Holds(job, 0) && Holds(job, 1) && Holds(job, 2);
-
-    /// <summary>Throws <see cref="OverflowException"/> when the position is outside the controller's range of counts.</summary>
-    public CountsPoint Of(CountsPoint job) => new(
-        checked((int)(job.X - JobStart.X + ControllerAtStart.X)),
-        checked((int)(job.Y - JobStart.Y + ControllerAtStart.Y)),
-        HeightOf(job.Z));
-
-    /// <summary>The same for a height only.</summary>
-    public int HeightOf(int job) => checked((int)((long)job - JobStart.Z + ControllerAtStart.Z));
-
-    /// <summary>True when all of these extents are within the controller's range of counts.</summary>
-    public bool Holds(MotionExtents job) => Holds(new CountsPoint(job.LeastX, job.LeastY)) && Holds(new CountsPoint(job.MostX, job.MostY));
-
-    private bool Holds(CountsPoint job, int axis) => Math.Abs(job[axis] - JobStart[axis] + ControllerAtStart[axis]) <= int.MaxValue;
-}
-
 /// <summary>The differences between two ways of writing vector sequences.</summary>
 /// <param name="Open">Statements before VM; may be empty.</param>
 /// <param name="AwaitEnd">The statement that waits for the end of the sequence.</param>
 /// <param name="Rapid">The line that travels to a position in the controller's coordinates, tool off, and waits.</param>
 /// <param name="ToolOn">The statements that bring the tool to a position in the controller's coordinates; empty for a dry run of a switched tool.</param>
 /// <param name="ToolOff">The statements that raise the tool or switch it off.</param>
-internal sealed record SequenceSpelling(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
+internal sealed record SequenceSyntax(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
 {
     /// <summary>The statements of the profile's tool drive: the output with its settle time, or the subprograms that move the axis.</summary>
     /// <param name="height">Formats a height of the controller.</param>

@@ -16,15 +16,15 @@ namespace Engraver.Galil.Programs.Posting;
 internal sealed class SupervisedProgram
 {
     /// <summary>Value of the error code when a motion ended early; TC codes are positive.</summary>
-    public const int Strayed = -1;
+    public const int EndedEarlyCode = -1;
 
     public const string Entry = "#JOB";
 
-    private const string Stray = "#STRAY";
+    private const string EndedEarlyLabel = "#STRAY";
     private const string CountSequence = $"{Variables.Sequence}={Variables.Sequence}+1";
 
     private readonly MachineProfile _profile;
-    private readonly PostForm _form;
+    private readonly PostTemplate _form;
 
     /// <param name="program">Continuous or calls, as generated.</param>
     /// <param name="frame">Position of the job's frame by the controller's zero.</param>
@@ -32,13 +32,13 @@ internal sealed class SupervisedProgram
     public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
     {
         _profile = program.Profile;
-        var (toolOn, toolOff) = SequenceSpelling.ToolOf(_profile, dryRun, height => Text($"{height}"));
-        var spelling = new SequenceSpelling($"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
-        _form = new PostForm(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MostLines = SequenceWriter.MostLines };
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, height => Text($"{height}"));
+        var spelling = new SequenceSyntax($"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
+        _form = new PostTemplate(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MaxLines = SequenceWriter.MaxLines };
     }
 
     /// <summary>The smallest memory for which the job can be packed, lines.</summary>
-    public int FewestLines => ChunkPacker.FewestLines(_form);
+    public int MinLines => ChunkPacker.MinLines(_form);
 
     /// <summary>Value of seq when the chunk is complete.</summary>
     public static int EndMark(ProgramChunk chunk) => (2 * chunk.Parts.Sum(part => part.Sequences.Count)) + 1;
@@ -75,12 +75,12 @@ internal sealed class SupervisedProgram
     [
         CountSequence,
         "JP#HALT",
-        .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{Stray},_SC{profile.Axes.X.Letter}<>101").Line(CountSequence).Line("EN").Lines,
-        .. RapidLines(profile, $"JP{Stray},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)").SkipLast(1),
+        .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{EndedEarlyLabel},_SC{profile.Axes.X.Letter}<>101").Line(CountSequence).Line("EN").Lines,
+        .. RapidLines(profile, $"JP{EndedEarlyLabel},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)").SkipLast(1),
         .. GateLines,
-        .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, $"JP{Stray},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
-        .. SequenceWriter.RoomLines($"JP{Stray},_BGS=0"),
-        .. new ProgramLines().Line(Stray).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={Strayed}")).Line("ZS").Line("JP#HALT").Lines,
+        .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, $"JP{EndedEarlyLabel},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
+        .. SequenceWriter.RoomLines($"JP{EndedEarlyLabel},_BGS=0"),
+        .. new ProgramLines().Line(EndedEarlyLabel).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={EndedEarlyCode}")).Line("ZS").Line("JP#HALT").Lines,
         .. Guards(profile),
     ];
 }

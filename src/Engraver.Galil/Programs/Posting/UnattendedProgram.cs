@@ -23,10 +23,10 @@ internal static class UnattendedProgram
     {
         var stop = StopEverything(profile);
         var spindle = profile.Height is null ? string.Empty : SpindleOff(profile);
-        const string Still = ResidentProgram.Variables.Still;
+        const string Still = ResidentProgram.Variables.StandstillTicks;
         return new ProgramLines()
-            .Line("#WDOG").Line("#WLIVE").Line(WatchdogProgram.Keep(profile))
-            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.Lives(profile)}").Line(Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile)}"))
+            .Line("#WDOG").Line("#WLIVE").Line(WatchdogProgram.StorePosition(profile))
+            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.ActivityCondition(profile)}").Line(Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile)}"))
             .Line(stop, Text($"HX{ResidentProgram.MainThread}")).Line(spindle).Line("MG \"STANDSTILL\"").Line("EN")
             .Line("#LIMSWI").Line(stop).Line(spindle).Line("MG \"LIMIT\"").Line("JP#QUIT")
             .Line("#POSERR").Line(stop).Line(spindle).Line("MG \"POSERR\"").Line("JP#QUIT")

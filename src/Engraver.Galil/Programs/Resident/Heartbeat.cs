@@ -19,7 +19,7 @@ internal sealed class Heartbeat(TimeProvider time)
 
     private TimeSpan Latest { get; init; } = s_latest;
 
-    private TimeSpan Silent => time.GetElapsedTime(_last);
+    private TimeSpan Silence => time.GetElapsedTime(_last);
 
     /// <summary>True when a heartbeat is due; it then counts as sent.</summary>
     public bool IsDue() => IsSilentFor(Between);
@@ -30,7 +30,7 @@ internal sealed class Heartbeat(TimeProvider time)
 
     private bool IsSilentFor(TimeSpan limit)
     {
-        if (Silent < limit || Silent == TimeSpan.Zero) return false;
+        if (Silence < limit || Silence == TimeSpan.Zero) return false;
         _last = time.GetTimestamp();
         return true;
     }

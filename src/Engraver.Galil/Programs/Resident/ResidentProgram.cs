@@ -5,7 +5,7 @@ namespace Engraver.Galil.Programs.Resident;
 /// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only while thread 0 runs, galil-dmc.md
 /// C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
-/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c>
+/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StandstillTickLimit"/>, <c>XQ</c>
 /// <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
 /// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants hold every name that the host needs.
 /// </remarks>
@@ -51,12 +51,12 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         public const string Heartbeat = "hb";
 
         /// <summary>Number of ticks for which the tool has been on without motion.</summary>
-        public const string Still = "still";
+        public const string StandstillTicks = "still";
 
         /// <summary>Number of these ticks that trips the watchdog.</summary>
-        public const string StillLimit = "stillmax";
+        public const string StandstillTickLimit = "stillmax";
 
-        /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or
+        /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HeartbeatLost"/> or
         /// <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
         public const string WatchdogTripped = "wtrip";
 

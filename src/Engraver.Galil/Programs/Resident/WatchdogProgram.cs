@@ -14,7 +14,7 @@ namespace Engraver.Galil.Programs.Resident;
 public static class WatchdogProgram
 {
     /// <summary>Values of <see cref="ResidentProgram.Variables.WatchdogTripped"/>.</summary>
-    public const int HostLost = 1;
+    public const int HeartbeatLost = 1;
     public const int ToolForgotten = 2;
 
     internal static string StartStatement { get; } = Subprograms.Text($"XQ#WDOG,{ResidentProgram.WatchdogThread}");
@@ -24,24 +24,24 @@ public static class WatchdogProgram
     internal static IReadOnlyList<string> Lines(MachineProfile profile)
     {
         const string Heartbeat = ResidentProgram.Variables.Heartbeat;
-        const string Still = ResidentProgram.Variables.Still;
+        const string Still = ResidentProgram.Variables.StandstillTicks;
         return new ProgramLines()
             .Line("#WDOG")
             .Line($"{ResidentProgram.Variables.WatchdogTripped}=0")
             .Line("#WLIVE")
-            .Line(Keep(profile))
+            .Line(StorePosition(profile))
             .Line("#WLOOP")
             .Line("WT 50")
             .Line($"{Heartbeat}={Heartbeat}-1", $"{Still}={Still}+1")
             .Line($"JP#WLOST,{Heartbeat}<=0")
-            .Line($"JP#WLIVE,{Lives(profile)}")
-            .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StillLimit}")
+            .Line($"JP#WLIVE,{ActivityCondition(profile)}")
+            .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StandstillTickLimit}")
             .Line(Trip(profile, ToolForgotten))
             .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
             .Line("MG \"STANDSTILL\"")
             .Line(profile.Height is null ? "EN" : "JP#WUP")
             .Line("#WLOST")
-            .Line(Trip(profile, HostLost))
+            .Line(Trip(profile, HeartbeatLost))
             .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
             .Line("MG \"HOST LOST\"")
             .Line(profile.Height is null ? "EN" : "JP#WUP")
@@ -49,10 +49,10 @@ public static class WatchdogProgram
     }
 
     /// <summary>Stores the position of the machine and restarts the count of its standstill.</summary>
-    internal static string Keep(MachineProfile profile) => string.Join(';', [$"{ResidentProgram.Variables.Still}=0", .. Watched(profile).Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"]);
+    internal static string StorePosition(MachineProfile profile) => string.Join(';', [$"{ResidentProgram.Variables.StandstillTicks}=0", .. Watched(profile).Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"]);
 
     /// <summary>True while the machine moves, receives segments, or has its tool off the work, as a condition of JP.</summary>
-    internal static string Lives(MachineProfile profile) => $"{string.Concat(Watched(profile).Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})";
+    internal static string ActivityCondition(MachineProfile profile) => $"{string.Concat(Watched(profile).Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})";
 
     private static IEnumerable<(string Operand, string Kept)> Watched(MachineProfile profile) => profile.Axes.Letters.Select((letter, i) => ($"_RP{letter}", $"w{"abc"[i]}"));
 

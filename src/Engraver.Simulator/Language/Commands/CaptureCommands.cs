@@ -5,7 +5,7 @@ namespace Engraver.Simulator.Language.Commands;
 /// <summary>Recording into arrays: RA a[],b[] names them, RD _TPA,_TEB the sources, RC n,m starts (galil-dmc.md E, Array; A.8 codes 80 to 82).</summary>
 internal static class CaptureCommands
 {
-    private const int MostArrays = 8;
+    private const int MaxArrays = 8;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
@@ -20,7 +20,7 @@ internal static class CaptureCommands
         var arrays = new List<FixedPoint[]>();
         do
         {
-            arrays.Add(arrays.Count < MostArrays ? MemoryCommands.TakeShortArray(reader) : throw new CommandRefusedException(Tc.TooManyNames));
+            arrays.Add(arrays.Count < MaxArrays ? MemoryCommands.TakeShortArray(reader) : throw new CommandRefusedException(Tc.TooManyNames));
         }
         while (reader.TryTake(','));
         reader.ExpectEnd();

@@ -52,15 +52,3 @@ internal static class CommandTable
 
     private static CommandEntry? Get(ReadOnlySpan<char> mnemonic) => Lookup.TryGetValue(mnemonic, out var entry) ? entry : null;
 }
-
-/// <summary>One row of the dispatch table.</summary>
-/// <param name="TakesLetter">The form mnemonic + letter + "=" belongs to the command and not to a variable.</param>
-internal sealed record CommandEntry(string Mnemonic, CommandScope Scope, Action<StatementReader> Run, bool TakesLetter = false);
-
-/// <summary>The contexts in which a command is allowed (galil-dmc.md E).</summary>
-internal enum CommandScope
-{
-    Both,
-    Host,
-    Program,
-}

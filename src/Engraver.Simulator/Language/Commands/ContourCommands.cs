@@ -66,7 +66,7 @@ internal static class ContourCommands
         var exponent = contour.TimeExponent;
         if (reader.TryTake('=')) exponent = (int)AxisParameters.InRange(reader.TakeExpression().Integer, 0, LargestExponent);
         reader.ExpectEnd();
-        Refuse(!contour.IsOn, Tc.NotWhileStanding);
+        Refuse(!contour.IsOn, Tc.NotWhileStopped);
         Refuse(fields.TrueForAll(f => f.Value is null), Tc.NotEnoughFields);
         Refuse(fields.Skip(Axis.Real).Any(f => f.Value is { IsTrue: true }), Tc.BadAxis);
         var increments = new int[contour.Axes.Length];

@@ -31,7 +31,7 @@ internal sealed class DataRecord
     private void Fill(string wanted)
     {
         _bytes[0] = 0x80;
-        if (Wants(wanted, 'I'))
+        if (Includes(wanted, 'I'))
         {
             _bytes[0] |= 4;
             AddGeneral();
@@ -39,7 +39,7 @@ internal sealed class DataRecord
 
         for (var i = 0; i < 2; i++)
         {
-            if (Wants(wanted, (char)('S' + i)))
+            if (Includes(wanted, (char)('S' + i)))
             {
                 _bytes[0] |= (byte)(1 << i);
                 AddPlane(_machine.Motion.Planes[i]);
@@ -48,7 +48,7 @@ internal sealed class DataRecord
 
         for (var i = 0; i < Axis.Real; i++)
         {
-            if (Wants(wanted, (char)('A' + i)))
+            if (Includes(wanted, (char)('A' + i)))
             {
                 _bytes[1] |= (byte)(1 << i);
                 AddAxis(_machine.Motion.Axes[i]);
@@ -58,7 +58,7 @@ internal sealed class DataRecord
         BinaryPrimitives.WriteUInt16LittleEndian(_bytes.AsSpan(2), (ushort)_length);
     }
 
-    private static bool Wants(string wanted, char block) => wanted.Contains(block, StringComparison.Ordinal);
+    private static bool Includes(string wanted, char block) => wanted.Contains(block, StringComparison.Ordinal);
 
     private Span<byte> Next(int size)
     {

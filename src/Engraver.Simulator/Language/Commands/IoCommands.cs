@@ -11,7 +11,7 @@ internal static class IoCommands
         new("CB", CommandScope.Both, r => Write(r, TakeBit(r), false)),
         new("OB", CommandScope.Both, OutputBit),
         new("OP", CommandScope.Both, OutputPort),
-        new("TI", CommandScope.Both, TellInputs),
+        new("TI", CommandScope.Both, ReportInputs),
     ];
 
     private static int TakeBit(StatementReader reader) => reader.TakeExpression().Integer;
@@ -47,7 +47,7 @@ internal static class IoCommands
         reader.Machine.SetOutputs((byte)AxisParameters.InRange(value.Integer, 0, 255));
     }
 
-    private static void TellInputs(StatementReader reader)
+    private static void ReportInputs(StatementReader reader)
     {
         var bank = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
         reader.ExpectEnd();

@@ -6,13 +6,13 @@ namespace Engraver.Simulator.Language.Commands;
 /// <summary>Handles, routing of messages, data record setting (galil-dmc.md A.1, A.5, A.9).</summary>
 internal static class LinkCommands
 {
-    private const int LeastPeriod = 8;
+    private const int MinPeriod = 8;
     private const int LongestPeriod = 30000;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
         new("WH", CommandScope.Host, r => r.Context.WriteLine(r.Context.Handle!.Name)),
-        new("TH", CommandScope.Both, TellHandles),
+        new("TH", CommandScope.Both, ReportHandles),
         new("IH", CommandScope.Both, CloseHandles, TakesLetter: true),
         new("CF", CommandScope.Both, ConfigureMessages),
         new("CW", CommandScope.Both, MarkMessages),
@@ -20,7 +20,7 @@ internal static class LinkCommands
         new("EO", CommandScope.Host, Echo),
     ];
 
-    private static void TellHandles(StatementReader reader)
+    private static void ReportHandles(StatementReader reader)
     {
         reader.ExpectEnd();
         reader.Context.WriteLine($"CONTROLLER IP ADDRESS {reader.Machine.Options.Address.ToString().Replace('.', ',')} ETHERNET ADDRESS 00-50-4C-08-01-1F");
@@ -111,7 +111,7 @@ internal static class LinkCommands
 
         var index = fields.ElementAtOrDefault(1).Value?.Integer ?? machine.Messages.Port - 'A';
         if (index < 0 || index >= machine.Handles.Capacity || machine.Handles[index] is not { IsUdp: true }) throw new CommandRefusedException(Tc.MustBeUdp);
-        AxisParameters.InRange(period, LeastPeriod, LongestPeriod);
+        AxisParameters.InRange(period, MinPeriod, LongestPeriod);
         machine.Records.Start(period, index);
     }
 }

@@ -7,7 +7,7 @@ namespace Engraver.Simulator.Language.Commands;
 /// <summary>Speeds and accelerations of the planes (galil-dmc.md B.1): by position or, except VR, by letter.</summary>
 internal static class PlaneSettings
 {
-    private const double LeastSmoothing = 0.004;
+    private const double MinSmoothing = 0.004;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
@@ -15,7 +15,7 @@ internal static class PlaneSettings
         new("VA", CommandScope.Both, r => PerPlane(r, p => p.Profile.Acceleration, (m, p, v) => p.Profile.Acceleration = AxisParameters.Acceleration(v, m.SamplesPerMillisecond), letters: true), TakesLetter: true),
         new("VD", CommandScope.Both, r => PerPlane(r, p => p.Profile.Deceleration, SetDeceleration, letters: true), TakesLetter: true),
         new("VR", CommandScope.Both, r => PerPlane(r, p => p.Profile.SpeedRatio, (_, p, v) => p.Profile.SpeedRatio = AxisParameters.InRange(v, 0, 10), letters: false), TakesLetter: true),
-        new("VT", CommandScope.Both, r => PerPlane(r, p => p.Smoothing, (_, p, v) => p.Smoothing = AxisParameters.InRange(v, LeastSmoothing, 1), letters: false)),
+        new("VT", CommandScope.Both, r => PerPlane(r, p => p.Smoothing, (_, p, v) => p.Smoothing = AxisParameters.InRange(v, MinSmoothing, 1), letters: false)),
     ];
 
     private static void SetDeceleration(Machine machine, VectorPlane plane, double value)

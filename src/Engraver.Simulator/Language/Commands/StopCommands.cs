@@ -22,7 +22,7 @@ internal static class StopCommands
 
         foreach (var axis in axes)
         {
-            machine.Motion.LetGo(axis, StopCode.Stopped);
+            machine.Motion.ReleaseAxis(axis, StopCode.Stopped);
             axis.Stop(StopCode.Stopped);
         }
 

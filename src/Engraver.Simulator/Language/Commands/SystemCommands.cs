@@ -5,7 +5,7 @@ namespace Engraver.Simulator.Language.Commands;
 /// <summary>Settings of the whole controller (galil-dmc.md A.1, A.3 format commands, C).</summary>
 internal static class SystemCommands
 {
-    private const int LeastSampleTime = 250;
+    private const int MinSampleTime = 250;
     private const int LargestSampleTime = 20000;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
@@ -44,7 +44,7 @@ internal static class SystemCommands
         {
             var motion = reader.Machine.Motion;
             if (motion.CanProgress || Array.Exists(motion.Axes, motion.IsBusy)) throw new CommandRefusedException(Tc.NotWhileRunning);
-            reader.Machine.SampleMicroseconds = (int)AxisParameters.InRange(field.Value?.Integer ?? 0, LeastSampleTime, LargestSampleTime);
+            reader.Machine.SampleMicroseconds = (int)AxisParameters.InRange(field.Value?.Integer ?? 0, MinSampleTime, LargestSampleTime);
         }
     }
 

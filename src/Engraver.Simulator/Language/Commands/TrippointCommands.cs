@@ -67,7 +67,7 @@ internal static class TrippointCommands
     private static void AfterArrival(StatementReader reader)
     {
         Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
-        var arrival = new Arrival(reader.Machine, axes);
+        var arrival = new MotionComplete(reader.Machine, axes);
         Set(reader, arrival.IsOver, atSample: 0);
     }
 

@@ -102,17 +102,3 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
         return rest < 0 ? rest + size : rest;
     }
 }
-
-/// <summary>What is outside an image.</summary>
-internal enum ImageWrap
-{
-    /// <summary>Nothing: transparent.</summary>
-    None,
-
-    /// <summary>The nearest pixel of the border.</summary>
-    Clamp,
-
-    Repeat,
-
-    Mirror,
-}

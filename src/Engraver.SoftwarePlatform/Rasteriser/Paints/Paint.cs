@@ -16,13 +16,3 @@ internal abstract class Paint
     /// <summary>Gives the premultiplied pixels of a device row from <paramref name="x"/> on, as seen at the pixels' centres.</summary>
     public abstract void Shade(int x, int y, Span<uint> row);
 }
-
-/// <summary>One premultiplied colour.</summary>
-internal sealed class SolidPaint(uint color) : Paint
-{
-    public uint Color { get; } = color;
-
-    public override bool IsOpaque => Color >> 24 == 255;
-
-    public override void Shade(int x, int y, Span<uint> row) => row.Fill(Color);
-}

@@ -7,7 +7,7 @@ internal sealed class RadialGradientPaint(GradientTable table, Matrix toBrush, P
 {
     /// <summary>Largest distance of the focus from the centre, in radii: on or outside the circle it would leave areas without colour, so it is moved
     /// inside.</summary>
-    private const double FarthestFocus = 0.9999;
+    private const double MaxFocusDistance = 0.9999;
 
     private readonly Vector _focus = Inside(new Vector((focus.X - centre.X) / radiusX, (focus.Y - centre.Y) / radiusY));
 
@@ -27,5 +27,5 @@ internal sealed class RadialGradientPaint(GradientTable table, Matrix toBrush, P
         }
     }
 
-    private static Vector Inside(Vector focus) => focus.Length > FarthestFocus ? focus * (FarthestFocus / focus.Length) : focus;
+    private static Vector Inside(Vector focus) => focus.Length > MaxFocusDistance ? focus * (MaxFocusDistance / focus.Length) : focus;
 }

@@ -5,10 +5,10 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 /// <summary>Divides a figure into its dashes.</summary>
 internal sealed class DashCutter
 {
-    private const double ShortestPattern = 1e-6;
+    private const double MinPatternLength = 1e-6;
 
     /// <summary>A pattern with more dashes over the whole figure is drawn solid.</summary>
-    private const int MostDashes = 100_000;
+    private const int MaxDashes = 100_000;
 
     private readonly double[] _lengths;
     private readonly double _offset;
@@ -20,7 +20,7 @@ internal sealed class DashCutter
         var isOdd = dashes.Count % 2 != 0;
         _lengths = [.. (isOdd ? dashes.Concat(dashes) : dashes).Select(dash => Math.Max(0, dash) * style.Width)];
         _total = _lengths.Sum();
-        _offset = _total > ShortestPattern ? style.DashOffset * style.Width % _total : 0;
+        _offset = _total > MinPatternLength ? style.DashOffset * style.Width % _total : 0;
         if (_offset < 0)
             _offset += _total;
     }
@@ -28,7 +28,7 @@ internal sealed class DashCutter
     public IEnumerable<Polyline> Cut(Polyline figure)
     {
         var length = Enumerable.Range(0, figure.SegmentCount).Sum(i => Length(figure.Segment(i)));
-        if (_total <= ShortestPattern || length / _total * _lengths.Length > MostDashes)
+        if (_total <= MinPatternLength || length / _total * _lengths.Length > MaxDashes)
             return [figure];
         return CutAll(figure);
     }
@@ -36,7 +36,7 @@ internal sealed class DashCutter
     private IEnumerable<Polyline> CutAll(Polyline figure)
     {
         var (phase, left) = Start();
-        var dash = phase % 2 == 0 ? Begun(figure.Points[0]) : null;
+        var dash = phase % 2 == 0 ? NewDash(figure.Points[0]) : null;
         for (var i = 0; i < figure.SegmentCount; i++)
         {
             var (start, end) = figure.Segment(i);
@@ -52,7 +52,7 @@ internal sealed class DashCutter
                     yield return dash;
                 }
                 phase = (phase + 1) % _lengths.Length;
-                dash = phase % 2 == 0 ? Begun(point) : null;
+                dash = phase % 2 == 0 ? NewDash(point) : null;
                 left = _lengths[phase];
             }
             left -= length - at;
@@ -74,7 +74,7 @@ internal sealed class DashCutter
         return (phase, _lengths[phase] - into);
     }
 
-    private static Polyline Begun(Vector point)
+    private static Polyline NewDash(Vector point)
     {
         var dash = new Polyline();
         dash.Points.Add(point);

@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 /// <summary>Goes through a path as straight lines; curves are divided evenly in their parameter until they are within the tolerance.</summary>
 internal static class PathWalk
 {
-    private const int MostSteps = 200;
+    private const int MaxSteps = 200;
 
     /// <param name="tolerance">Largest distance of the lines from the curve, in units after the transform.</param>
     public static void Walk<TSink>(VectorPath path, in Matrix transform, double tolerance, ref TSink sink)
@@ -61,19 +61,9 @@ internal static class PathWalk
         var second = b - c * 2 + d;
         var bend = Math.Sqrt(Math.Max(first.SquaredLength, second.SquaredLength));
         var steps = Math.Ceiling(Math.Sqrt(bend * 0.75 / tolerance));
-        return steps >= 1 ? (int)Math.Min(steps, MostSteps) : 1;
+        return steps >= 1 ? (int)Math.Min(steps, MaxSteps) : 1;
     }
 
     private static Vector Transformed(Point point, in Matrix transform) =>
         new(point.X * transform.M11 + point.Y * transform.M21 + transform.M31, point.X * transform.M12 + point.Y * transform.M22 + transform.M32);
-}
-
-/// <summary>Receives a path as straight lines. Implemented by structs, so that the code is compiled for each.</summary>
-internal interface IPolylineSink
-{
-    void MoveTo(double x, double y);
-
-    void LineTo(double x, double y);
-
-    void Close();
 }

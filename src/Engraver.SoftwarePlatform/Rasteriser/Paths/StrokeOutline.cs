@@ -13,12 +13,12 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
 
     private readonly double _half = style.Width / 2;
     private readonly double _arcStep = 2 * Math.Acos(Math.Max(0.5, 1 - ArcTolerance / Math.Max(ArcTolerance * 2, style.Width / 2 * scale)));
-    private bool _isBegun;
+    private bool _hasStarted;
 
     public void Draw(Polyline figure)
     {
         var points = figure.Points;
-        _isBegun = false;
+        _hasStarted = false;
         if (points.Count == 1)
             DrawPoint(points[0]);
         else if (figure.IsClosed && points.Count > 2)
@@ -42,7 +42,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         for (var i = 0; i < count; i++)
             AddJoin(points[(i + count - 1) % count], points[i], points[(i + 1) % count]);
         outline.Close();
-        _isBegun = false;
+        _hasStarted = false;
         for (var i = count - 1; i >= 0; i--)
             AddJoin(points[(i + 1) % count], points[i], points[(i + count - 1) % count]);
         outline.Close();
@@ -154,11 +154,11 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
 
     private void Add(Vector point)
     {
-        if (_isBegun)
+        if (_hasStarted)
             outline.LineTo(new Point(point.X, point.Y));
         else
             outline.MoveTo(new Point(point.X, point.Y));
-        _isBegun = true;
+        _hasStarted = true;
     }
 
     /// <summary>Vector of half the line's width, to the left of the direction on screen.</summary>
@@ -168,19 +168,4 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         var length = along.Length;
         return length > 0 ? new Vector(along.Y, -along.X) * (_half / length) : default;
     }
-}
-
-/// <summary>How a line is drawn. Dash lengths and their offset are in line widths, as in Avalonia.</summary>
-internal sealed record StrokeStyle(
-    double Width,
-    PenLineCap Cap = PenLineCap.Flat,
-    PenLineJoin Join = PenLineJoin.Miter,
-    double MiterLimit = 10,
-    IReadOnlyList<double>? Dashes = null,
-    double DashOffset = 0)
-{
-    public bool IsDashed => Dashes is { Count: > 0 };
-
-    public static StrokeStyle From(IPen pen) =>
-        new(pen.Thickness, pen.LineCap, pen.LineJoin, pen.MiterLimit, pen.DashStyle?.Dashes, pen.DashStyle?.Offset ?? 0);
 }

@@ -3,7 +3,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Shadows;
 /// <summary>Caches the masks of the soft shadows that were drawn last.</summary>
 internal sealed class ShadowMasks
 {
-    private const int Most = 64;
+    private const int MaxMasks = 64;
 
     private readonly Dictionary<ShadowShape, CoverageMask> _masks = [];
 
@@ -11,7 +11,7 @@ internal sealed class ShadowMasks
     {
         if (_masks.TryGetValue(shape, out var known))
             return known;
-        if (_masks.Count >= Most)
+        if (_masks.Count >= MaxMasks)
             Forget();
         return _masks[shape] = shape.Draw(scratch);
     }

@@ -7,10 +7,10 @@ namespace Engraver.SoftwarePlatform.Text.Outlines;
 /// them.</remarks>
 internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubroutines, CffIndex localSubroutines)
 {
-    private const int DeepestCall = 10;
-    private const int MostOperands = 513;
+    private const int MaxCallDepth = 10;
+    private const int MaxOperands = 513;
 
-    private readonly double[] _stack = new double[MostOperands];
+    private readonly double[] _stack = new double[MaxOperands];
     private readonly CharstringPen _pen = new(path);
     private int _count;
     private int _hints;
@@ -24,7 +24,7 @@ internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubr
 
     private void Run(FontBytes code, int depth)
     {
-        if (depth > DeepestCall)
+        if (depth > MaxCallDepth)
             throw new BrokenFontException("The subroutines of a glyph call each other too deeply.");
         for (var offset = 0; offset < code.Length && !_isEnded;)
         {
@@ -81,7 +81,7 @@ internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubr
 
     private void Push(double value)
     {
-        if (_count == MostOperands)
+        if (_count == MaxOperands)
             throw new BrokenFontException("A glyph has too many operands.");
         _stack[_count++] = value;
     }

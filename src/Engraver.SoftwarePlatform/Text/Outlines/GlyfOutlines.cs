@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Text.Outlines;
 /// <summary>TrueType outlines: tables glyf and loca.</summary>
 internal sealed class GlyfOutlines : IGlyphOutlines
 {
-    private const int DeepestNesting = 6;
+    private const int MaxNesting = 6;
 
     private readonly FontBytes _glyf;
     private readonly FontBytes _loca;
@@ -31,7 +31,7 @@ internal sealed class GlyfOutlines : IGlyphOutlines
 
     private void Add(VectorPath path, int glyph, in Matrix transform, int depth)
     {
-        if (glyph < 0 || glyph >= _count || depth > DeepestNesting)
+        if (glyph < 0 || glyph >= _count || depth > MaxNesting)
             return;
         var start = Offset(glyph);
         var end = Offset(glyph + 1);
@@ -58,12 +58,4 @@ internal sealed class GlyfOutlines : IGlyphOutlines
     }
 
     private long Offset(int glyph) => _hasLongOffsets ? _loca.UInt32(4 * glyph) : 2L * _loca.UInt16(2 * glyph);
-}
-
-/// <summary>The shapes of a face's glyphs.</summary>
-internal interface IGlyphOutlines
-{
-    /// <summary>In font units, y up, to be filled by the non-zero rule. Empty for a blank or unknown glyph.</summary>
-    /// <exception cref="BrokenFontException">The glyph's description is invalid.</exception>
-    VectorPath Outline(int glyph);
 }

@@ -43,7 +43,7 @@ internal static unsafe partial class Libc
     public struct PollFd
     {
         public int Descriptor;
-        public short Asked;
-        public short Answered;
+        public short Events;
+        public short ReturnedEvents;
     }
 }

@@ -200,24 +200,3 @@ internal static unsafe partial class Xlib
     [LibraryImport(Library)]
     public static partial void XPutImage(nint display, nint drawable, nint context, nint image, int sourceX, int sourceY, int x, int y, uint width, uint height);
 }
-
-/// <summary>Attributes for the creation of a window (X11/Xlib.h, 64-bit Linux).</summary>
-[StructLayout(LayoutKind.Explicit, Size = 112)]
-internal struct XSetWindowAttributes
-{
-    public const nuint BackgroundAndGravity = 1 | (1 << 4);
-    public const int NorthWestGravity = 1;
-
-    [FieldOffset(0)] public nint BackgroundPixmap;
-    [FieldOffset(32)] public int BitGravity;
-}
-
-/// <summary>A colour of 16 bits a channel (X11/Xlib.h, 64-bit Linux).</summary>
-[StructLayout(LayoutKind.Explicit, Size = 16)]
-internal struct XColor
-{
-    [FieldOffset(8)] public ushort Red;
-    [FieldOffset(10)] public ushort Green;
-    [FieldOffset(12)] public ushort Blue;
-    [FieldOffset(14)] public byte Flags;
-}

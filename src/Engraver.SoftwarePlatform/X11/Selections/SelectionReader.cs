@@ -6,16 +6,16 @@ namespace Engraver.SoftwarePlatform.X11.Selections;
 internal sealed class SelectionReader(XConnection connection, nint helper, nint selection, nint property, nint incr)
 {
     private Action<byte[]?>? _done;
-    private Action? _heard;
+    private Action? _onPiece;
     private IncrReceive? _pieces;
     private nint _target;
 
     /// <summary>Requests the data from the owner. The reply is null if it has none of the kind. A newer request ends an older one with null.</summary>
     /// <param name="heard">Called when a piece of a long reply has arrived.</param>
-    public void Ask(nint target, nint time, Action<byte[]?> done, Action? heard = null)
+    public void Request(nint target, nint time, Action<byte[]?> done, Action? heard = null)
     {
         Finish(null);
-        (_target, _done, _heard) = (target, done, heard);
+        (_target, _done, _onPiece) = (target, done, heard);
         Xlib.XConvertSelection(connection.Display, selection, target, property, helper, time);
     }
 
@@ -33,7 +33,7 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
         else
         {
             _pieces = new IncrReceive();
-            _heard?.Invoke();
+            _onPiece?.Invoke();
         }
     }
 
@@ -42,30 +42,14 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
     {
         if (changed != property || _pieces is null) return;
         var (_, bytes) = connection.TakeBytes(helper, property);
-        _heard?.Invoke();
+        _onPiece?.Invoke();
         if (_pieces.Take(bytes)) Finish(_pieces.Bytes);
     }
 
     private void Finish(byte[]? bytes)
     {
         var done = _done;
-        (_done, _heard, _pieces) = (null, null, null);
+        (_done, _onPiece, _pieces) = (null, null, null);
         done?.Invoke(bytes);
-    }
-}
-
-/// <summary>Data that arrives in pieces (ICCCM 2.7.2): each piece is a property, and an empty one ends it.</summary>
-internal sealed class IncrReceive
-{
-    private readonly List<byte> _bytes = [];
-
-    /// <summary>The data received so far.</summary>
-    public byte[] Bytes => [.. _bytes];
-
-    /// <returns>True when this was the last piece.</returns>
-    public bool Take(ReadOnlySpan<byte> piece)
-    {
-        _bytes.AddRange(piece);
-        return piece.IsEmpty;
     }
 }

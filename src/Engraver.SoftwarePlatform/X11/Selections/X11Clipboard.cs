@@ -9,7 +9,7 @@ namespace Engraver.SoftwarePlatform.X11.Selections;
 /// <summary>The clipboard as the user interface sees it: text to and from other programs, anything within this one.</summary>
 internal sealed class X11Clipboard(X11Desktop desktop) : IOwnedClipboardImpl
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(5); // for a program that owns the clipboard and does not answer
+    private static readonly TimeSpan ReplyTimeout = TimeSpan.FromSeconds(5); // for a program that owns the clipboard and does not answer
     private IAsyncDataTransfer? _data;
 
     public async Task SetDataAsync(IAsyncDataTransfer dataTransfer)
@@ -44,17 +44,17 @@ internal sealed class X11Clipboard(X11Desktop desktop) : IOwnedClipboardImpl
 
     private async Task<string?> ReadTextAsync()
     {
-        var (utf8, silent) = await AskAsync(desktop.Atoms.Utf8String).ConfigureAwait(true);
+        var (utf8, silent) = await RequestAsync(desktop.Atoms.Utf8String).ConfigureAwait(true);
         if (utf8 is not null) return Encoding.UTF8.GetString(utf8);
         if (silent) return null; // an owner that did not reply at all is not queried again
-        var (latin, _) = await AskAsync(XAtoms.String).ConfigureAwait(true);
+        var (latin, _) = await RequestAsync(XAtoms.String).ConfigureAwait(true);
         return latin is null ? null : Encoding.Latin1.GetString(latin);
     }
 
-    private async Task<(byte[]? Bytes, bool Silent)> AskAsync(nint target)
+    private async Task<(byte[]? Bytes, bool Silent)> RequestAsync(nint target)
     {
-        using var answer = new PatientAnswer(Patience, TimeProvider.System);
-        desktop.Events.Post(() => desktop.ClipboardReader.Ask(target, desktop.LastEventTime, answer.Take, answer.Hear));
-        return (await answer.Whole.ConfigureAwait(true), answer.GaveUp);
+        using var answer = new ChunkedReply(ReplyTimeout, TimeProvider.System);
+        desktop.Events.Post(() => desktop.ClipboardReader.Request(target, desktop.LastEventTime, answer.Complete, answer.OnPiece));
+        return (await answer.Whole.ConfigureAwait(true), answer.TimedOut);
     }
 }

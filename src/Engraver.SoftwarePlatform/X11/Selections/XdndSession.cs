@@ -35,21 +35,21 @@ internal sealed class XdndSession(IXdndPartner partner)
         if (source != _source || _stage == Stage.Outside) return;
         (_x, _y) = (rootX, rootY);
         if (_stage == Stage.Refused) partner.SendStatus(_source, false);
-        else if (_stage == Stage.Inside) partner.Tell(RawDragEventType.DragOver, _x, _y, _files);
-        else AskFirst(time, ref _statusDue);
+        else if (_stage == Stage.Inside) partner.SendToWindow(RawDragEventType.DragOver, _x, _y, _files);
+        else RequestFilesFirst(time, ref _statusDue);
     }
 
     public void Drop(nint source, nint time)
     {
         if (source != _source || _stage == Stage.Outside) return;
         if (_stage == Stage.Refused) Finish(false);
-        else if (_stage == Stage.Inside) partner.Tell(RawDragEventType.Drop, _x, _y, _files);
-        else AskFirst(time, ref _dropDue);
+        else if (_stage == Stage.Inside) partner.SendToWindow(RawDragEventType.Drop, _x, _y, _files);
+        else RequestFilesFirst(time, ref _dropDue);
     }
 
     public void Leave()
     {
-        if (_stage == Stage.Inside) partner.Tell(RawDragEventType.DragLeave, _x, _y, _files);
+        if (_stage == Stage.Inside) partner.SendToWindow(RawDragEventType.DragLeave, _x, _y, _files);
         Forget();
     }
 
@@ -70,7 +70,7 @@ internal sealed class XdndSession(IXdndPartner partner)
         if (to == RawDragEventType.Drop) Finish(accepted);
     }
 
-    private void AskFirst(nint time, ref bool due)
+    private void RequestFilesFirst(nint time, ref bool due)
     {
         due = true;
         if (_stage == Stage.Asked) return;
@@ -81,9 +81,9 @@ internal sealed class XdndSession(IXdndPartner partner)
     private void EnterWindow()
     {
         _stage = Stage.Inside;
-        partner.Tell(RawDragEventType.DragEnter, _x, _y, _files);
-        if (_statusDue) partner.Tell(RawDragEventType.DragOver, _x, _y, _files);
-        if (_dropDue) partner.Tell(RawDragEventType.Drop, _x, _y, _files);
+        partner.SendToWindow(RawDragEventType.DragEnter, _x, _y, _files);
+        if (_statusDue) partner.SendToWindow(RawDragEventType.DragOver, _x, _y, _files);
+        if (_dropDue) partner.SendToWindow(RawDragEventType.Drop, _x, _y, _files);
         (_statusDue, _dropDue) = (false, false);
     }
 

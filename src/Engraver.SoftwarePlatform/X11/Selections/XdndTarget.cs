@@ -47,9 +47,9 @@ internal sealed class XdndTarget : IXdndPartner
     }
 
     public void RequestFiles(nint time) =>
-        _reader.Ask(Atoms.UriList, time, bytes => _session.FilesArrived(bytes is null ? null : UriList.LocalPaths(Encoding.UTF8.GetString(bytes))));
+        _reader.Request(Atoms.UriList, time, bytes => _session.FilesArrived(bytes is null ? null : UriList.LocalPaths(Encoding.UTF8.GetString(bytes))));
 
-    public void Tell(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files) =>
+    public void SendToWindow(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files) =>
         _window?.OnDrag(type, new PixelPoint(rootX, rootY), files, effects => _desktop.Events.Post(() => _session.Answer(type, effects != DragDropEffects.None)));
 
     public void SendStatus(nint source, bool accepted)
@@ -67,18 +67,4 @@ internal sealed class XdndTarget : IXdndPartner
         if ((enter.Data[1] & 1) != 0) return _connection.GetLongs((nint)enter.Data[0], Atoms.XdndTypeList).Contains(Atoms.UriList);
         return enter.Data[2] == Atoms.UriList || enter.Data[3] == Atoms.UriList || enter.Data[4] == Atoms.UriList;
     }
-}
-
-/// <summary>The two partners of a drag: the program that drags, and the window below the pointer.</summary>
-internal interface IXdndPartner
-{
-    /// <summary>Requests the files from the source; the reply comes through <see cref="XdndSession.FilesArrived"/>.</summary>
-    void RequestFiles(nint time);
-
-    /// <summary>Passes the position (pixels of the root window) to the window; its reply comes through <see cref="XdndSession.Answer"/>.</summary>
-    void Tell(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files);
-
-    void SendStatus(nint source, bool accepted);
-
-    void SendFinished(nint source, bool accepted);
 }

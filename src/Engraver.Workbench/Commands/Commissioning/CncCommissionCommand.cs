@@ -6,9 +6,9 @@ namespace Engraver.Workbench.Commands.Commissioning;
 /// step can be repeated or skipped.</summary>
 internal sealed class CncCommissionCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Use = "Step" }, .. Keyword.List("End")];
+    private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Context = "Step" }, .. Keyword.List("End")];
 
-    private static readonly IReadOnlyList<ICommissioningStep> s_steps = [new MotorStep(), new EncoderStep(), new SwitchStep(), new ErrorStep(), new DirectionStep(), new ScaleStep(), new LetterStep(), new OutputStep()];
+    private static readonly IReadOnlyList<ICommissioningStep> s_steps = [new MotorStep(), new EncoderStep(), new SwitchStep(), new FollowingErrorStep(), new DirectionStep(), new ScaleStep(), new LetterStep(), new OutputStep()];
 
     /// <summary>The names of the steps in their order.</summary>
     public static IReadOnlyList<string> StepNames => [.. s_steps.Select(step => step.Name)];
@@ -22,29 +22,29 @@ internal sealed class CncCommissionCommand : ICommand
         if (context.Machine.IsRunning || !context.Machine.Setup.IsPossible) throw new CommandException(CommandFailure.Refused, Wording.Get("Commission.NotPossibleNow"));
         var machine = await CommissionedMachine.FindAsync(context, cancellation).ConfigureAwait(false);
         var isDone = false;
-        context.Commissioning.Begin();
+        context.Commissioning.Start();
         try
         {
-            await GoThroughAsync(machine, cancellation).ConfigureAwait(false);
-            await machine.LeaveMotorsAsFoundAsync().ConfigureAwait(false);
-            await ProfileEnd.RunAsync(machine, cancellation).ConfigureAwait(false);
+            await RunStepsAsync(machine, cancellation).ConfigureAwait(false);
+            await machine.RestoreMotorsAsync().ConfigureAwait(false);
+            await ProfileSaving.RunAsync(machine, cancellation).ConfigureAwait(false);
             isDone = true;
         }
         finally
         {
             context.Commissioning.End();
-            await machine.LeaveMotorsAsFoundAsync().ConfigureAwait(false);
-            machine.SayWhatStays(isDone);
+            await machine.RestoreMotorsAsync().ConfigureAwait(false);
+            machine.WriteChangedSettings(isDone);
         }
     }
 
-    private static async Task GoThroughAsync(CommissionedMachine machine, CancellationToken cancellation)
+    private static async Task RunStepsAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         var course = machine.Context.Commissioning;
         for (var i = 0; i < s_steps.Count;)
         {
             var step = s_steps[i];
-            course.Set(i, CommissioningState.Now);
+            course.Set(i, CommissioningState.InProgress);
             switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.Step", i + 1, s_steps.Count, step.Name), s_ways, "Go").ConfigureAwait(false))
             {
                 case "End": return;
@@ -52,25 +52,12 @@ internal sealed class CncCommissionCommand : ICommand
                     course.Set(i, CommissioningState.Open);
                     i = Math.Max(0, i - 1);
                     break;
-                case "Skip": course.Set(i++, CommissioningState.LeftOut); break;
+                case "Skip": course.Set(i++, CommissioningState.Skipped); break;
                 default:
                     var isThrough = await step.RunAsync(machine, cancellation).ConfigureAwait(false);
-                    course.Set(i++, isThrough ? CommissioningState.Through : CommissioningState.Unfinished);
+                    course.Set(i++, isThrough ? CommissioningState.Done : CommissioningState.Unfinished);
                     break;
             }
         }
     }
-}
-
-/// <summary>One step of the commissioning. It can be repeated; Enter keeps the current value.</summary>
-internal interface ICommissioningStep
-{
-    /// <summary>Name in the question before the step.</summary>
-    string Name { get; }
-
-    /// <returns>False if the step was abandoned: a move was declined, stopped or refused, or something has to be repaired first. Accepted values
-    /// remain.</returns>
-    /// <exception cref="CommandException">The link or the controller failed.</exception>
-    /// <exception cref="OperationCanceledException">Esc, or the operator's stop: values that were not accepted are reverted.</exception>
-    Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation);
 }

@@ -12,7 +12,7 @@ internal sealed class CommissionedMachine
     private readonly SetupFacts _found;
     private readonly HashSet<char> _rewired = [];
     private readonly List<string> _accepted = [];
-    private bool _isLeft;
+    private bool _isRestored;
 
     private CommissionedMachine(CommandContext context, SetupFacts found)
     {
@@ -44,7 +44,7 @@ internal sealed class CommissionedMachine
         var letters = context.Machine.Profile.Axes.Letters;
         var known = MachineFamilies.DriverOf(context.Machine.Profile).Limits.Axes;
         var there = known[..Math.Min(known.Length, context.Machine.Connection.Identity!.Axes)];
-        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.AxesDiffer", letters, there)));
+        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.ApplyTerminology(Wording.Get("Commission.AxesDiffer", letters, there)));
         return new CommissionedMachine(context, await context.Machine.Setup.ApplyAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
@@ -65,7 +65,7 @@ internal sealed class CommissionedMachine
     public async Task<bool> TryAsync(SetupValue value, CancellationToken cancellation)
     {
         if (await SetUpAsync(setup => setup.SetAsync(value, cancellation), CancellationToken.None).ConfigureAwait(false) is not { } why) return true;
-        Context.Say(why, MessageKind.Warning);
+        Context.WriteMessage(why, MessageKind.Warning);
         return false;
     }
 
@@ -73,7 +73,7 @@ internal sealed class CommissionedMachine
     {
         if ((value switch { SetupValue.Motor motor => motor.Axis, SetupValue.Encoder encoder => encoder.Axis, _ => (char?)null }) is { } axis) _rewired.Add(axis);
         _accepted.Add(said);
-        Context.Say(said, MessageKind.Result);
+        Context.WriteMessage(said, MessageKind.Result);
     }
 
     /// <summary>Switches a motor off, because the controller takes its type only then.</summary>
@@ -91,7 +91,7 @@ internal sealed class CommissionedMachine
         {
             if (!await Context.ConfirmAsync(Wording.Get(axis.OffOnError == true ? "Commission.ConfirmMotorOn" : "Commission.ConfirmMotorOnUnguarded", axis.Letter)).ConfigureAwait(false))
             {
-                Context.Say(Wording.Get("Commission.MotorsNeeded"), MessageKind.Warning);
+                Context.WriteMessage(Wording.Get("Commission.MotorsNeeded"), MessageKind.Warning);
                 return false;
             }
 
@@ -104,22 +104,22 @@ internal sealed class CommissionedMachine
     /// <summary>Switches motors off that were found off, and those on that were found on. A motor whose type or encoder was changed, and one that ran away,
     /// is not switched on by this program: it stays off, which is reported.</summary>
     /// <remarks>A second call does nothing.</remarks>
-    public async Task LeaveMotorsAsFoundAsync()
+    public async Task RestoreMotorsAsync()
     {
-        if (_isLeft) return;
-        _isLeft = true;
+        if (_isRestored) return;
+        _isRestored = true;
         try
         {
             var now = await ReadAsync(CancellationToken.None).ConfigureAwait(false);
             foreach (var axis in _found.Axes.Where(axis => axis.IsMotorOff != now[axis.Letter].IsMotorOff))
             {
                 if (axis.IsMotorOff || !_rewired.Contains(axis.Letter)) await SwitchAsync(axis.Letter, on: !axis.IsMotorOff).ConfigureAwait(false);
-                else Context.Say(Context.Spell(Wording.Get("Commission.MotorStaysOff", axis.Letter)), MessageKind.Warning);
+                else Context.WriteMessage(Context.ApplyTerminology(Wording.Get("Commission.MotorStaysOff", axis.Letter)), MessageKind.Warning);
             }
         }
         catch (Exception failure) when (failure is ControllerException or CommandException)
         {
-            Context.Say(Wording.Get("Commission.MotorsNotRestored", failure.Message), MessageKind.Warning);
+            Context.WriteMessage(Wording.Get("Commission.MotorsNotRestored", failure.Message), MessageKind.Warning);
         }
     }
 
@@ -128,11 +128,11 @@ internal sealed class CommissionedMachine
 
     /// <summary>Reports which settings stay in the controller.</summary>
     /// <param name="isDone">The operator was already asked whether to burn them.</param>
-    public void SayWhatStays(bool isDone)
+    public void WriteChangedSettings(bool isDone)
     {
         if (isDone || !HasAccepted) return;
-        Context.Say(Wording.Get("Commission.KeptUntilPowerOff"), MessageKind.Warning);
-        foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
+        Context.WriteMessage(Wording.Get("Commission.KeptUntilPowerOff"), MessageKind.Warning);
+        foreach (var said in _accepted) Context.WriteMessage(said, MessageKind.Warning);
     }
 
     /// <exception cref="CommandException">The controller is no longer connected, because the link was lost in a move.</exception>
@@ -142,7 +142,7 @@ internal sealed class CommissionedMachine
     private async Task<bool> SwitchAsync(char axis, bool on)
     {
         if (await SetUpAsync(setup => setup.SwitchMotorAsync(axis, on, CancellationToken.None), CancellationToken.None).ConfigureAwait(false) is not { } why) return true;
-        Context.Say(why, MessageKind.Warning);
+        Context.WriteMessage(why, MessageKind.Warning);
         if (on) _rewired.Add(axis);
         return false;
     }

@@ -59,7 +59,7 @@ internal sealed class TestMoves(CommissionedMachine machine)
     /// <summary>Asks for the speed of the next test moves.</summary>
     public async Task AskSpeedAsync()
     {
-        var prompt = new NumberPrompt(Wording.Get("Commission.EnterSpeed")) { Least = 10.0, Most = FastestTest, Whole = true, Default = NumberPrompt.Show(Speed) };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterSpeed")) { Min = 10.0, Max = FastestTest, IsInteger = true, Default = NumberPrompt.Format(Speed) };
         Speed = 2 * (int)(await Context.ValueAsync(prompt).ConfigureAwait(false) / 2.0);
     }
 
@@ -76,7 +76,7 @@ internal sealed class TestMoves(CommissionedMachine machine)
         var goal = place[axis].Position + (long)counts;
         if (Math.Abs(goal) >= int.MaxValue)
         {
-            Context.Say(Wording.Get("CncGoTo.PositionOutOfRange"), MessageKind.Warning);
+            Context.WriteMessage(Wording.Get("CncGoTo.PositionOutOfRange"), MessageKind.Warning);
             return false;
         }
 
@@ -102,19 +102,19 @@ internal sealed class TestMoves(CommissionedMachine machine)
         if (!Session.Setup.IsPossible) throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
         await Session.Hand.SetMotorsAsync(on: false, CancellationToken.None).ConfigureAwait(false);
         machine.LeaveMotorsOff();
-        Context.Say(Wording.Get("Commission.RanAway"), MessageKind.Warning);
+        Context.WriteMessage(Wording.Get("Commission.RanAway"), MessageKind.Warning);
     }
 
     private bool NotMoved()
     {
-        Context.Say(Wording.Get("Commission.NotMoved"));
+        Context.WriteMessage(Wording.Get("Commission.NotMoved"));
         return false;
     }
 
     private static MachineAxis InCounts(MachineAxis axis) => axis with
     {
         CountsPerMillimetre = 1.0,
-        Travel = TravelLimits.Of(axis) is { } limit ? new AxisTravel(limit.Least, limit.Most) : null,
+        Travel = TravelLimits.Of(axis) is { } limit ? new AxisTravel(limit.Min, limit.Max) : null,
         Homing = null, // its own profile states how it was homed
     };
 
@@ -123,11 +123,11 @@ internal sealed class TestMoves(CommissionedMachine machine)
     /// <exception cref="OperationCanceledException">Esc during the motion.</exception>
     private async Task<bool> HasArrivedAsync(JobResult result, CancellationToken cancellation)
     {
-        foreach (var left in result.NotRestored) Context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
+        foreach (var left in result.NotRestored) Context.WriteMessage(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         cancellation.ThrowIfCancellationRequested();
         if (result.Outcome == JobOutcome.Complete) return true;
-        if (result.Outcome == JobOutcome.LinkLost) throw new CommandException(CommandFailure.LinkLost, result.Sentence);
-        Context.Say(result.Diagnostics is [{ } refusal, ..] ? SettingWording.AtCommandLine(refusal).Message : result.Sentence, MessageKind.Warning);
+        if (result.Outcome == JobOutcome.LinkLost) throw new CommandException(CommandFailure.LinkLost, result.Message);
+        Context.WriteMessage(result.Diagnostics is [{ } refusal, ..] ? SettingWording.AtCommandLine(refusal).Message : result.Message, MessageKind.Warning);
         var hasStarted = result.FinalPosition is not null;
         if (hasStarted && result.Outcome != JobOutcome.Stopped && (result.PositionDoubt.Length > 0 || (await machine.ReadAsync(CancellationToken.None).ConfigureAwait(false)).Axes.Any(axis => axis.IsMotorOff))) await RanAwayAsync().ConfigureAwait(false);
         return false;

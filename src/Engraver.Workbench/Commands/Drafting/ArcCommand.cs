@@ -13,15 +13,15 @@ internal sealed class ArcCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        DrawingBeginning.Ensure(context);
+        NewDrawing.EnsureOpen(context);
         var prompt = ShapePrompts.Place("Arc.SpecifyStart", null, "Center") with { EnterEnds = true };
         var arc = await context.AskAsync(prompt).ConfigureAwait(false) switch
         {
-            Answer<Point2D>.Value { Of: var start } => await FromStartAsync(context, start).ConfigureAwait(false),
-            Answer<Point2D>.Chosen => await FromCentreAsync(context).ConfigureAwait(false),
-            _ => await GoOnAsync(context).ConfigureAwait(false),
+            Answer<Point2D>.Value { Result: var start } => await FromStartAsync(context, start).ConfigureAwait(false),
+            Answer<Point2D>.SelectedOption => await FromCentreAsync(context).ConfigureAwait(false),
+            _ => await ContinueAsync(context).ConfigureAwait(false),
         };
-        DrawingAddition.Take(context, NewCurve.From(arc));
+        DrawingAddition.Commit(context, NewCurve.From(arc));
         context.LastPoint = arc.End;
     }
 
@@ -29,28 +29,28 @@ internal sealed class ArcCommand : ICommand
     {
         var prompt = ShapePrompts.Place("Arc.SpecifySecond", start, "Center", "End");
         var (toSecond, option) = await ShapePrompts.PlaceAsync(context, prompt, place => place == start ? null : [Segment.FromLine(start, place)]).ConfigureAwait(false);
-        if (option is null) return await ArcQuestions.ThroughAsync(context, start, toSecond[0].End).ConfigureAwait(false);
-        if (option == "End") return await ArcQuestions.BetweenAsync(context, start, await OtherAsync(context, "Arc.SpecifyEnd", start).ConfigureAwait(false)).ConfigureAwait(false);
-        return await ArcQuestions.AboutAsync(context, start, await OtherAsync(context, "Arc.SpecifyCentre", start).ConfigureAwait(false)).ConfigureAwait(false);
+        if (option is null) return await ArcPrompts.ThreePointAsync(context, start, toSecond[0].End).ConfigureAwait(false);
+        if (option == "End") return await ArcPrompts.StartEndAsync(context, start, await NextPointAsync(context, "Arc.SpecifyEnd", start).ConfigureAwait(false)).ConfigureAwait(false);
+        return await ArcPrompts.StartCentreAsync(context, start, await NextPointAsync(context, "Arc.SpecifyCentre", start).ConfigureAwait(false)).ConfigureAwait(false);
     }
 
     private static async Task<Segment> FromCentreAsync(CommandContext context)
     {
         var centre = await ShapePrompts.PointAsync(context, "Arc.SpecifyCentre").ConfigureAwait(false);
-        return await ArcQuestions.AboutAsync(context, await OtherAsync(context, "Arc.SpecifyStart", centre).ConfigureAwait(false), centre).ConfigureAwait(false);
+        return await ArcPrompts.StartCentreAsync(context, await NextPointAsync(context, "Arc.SpecifyStart", centre).ConfigureAwait(false), centre).ConfigureAwait(false);
     }
 
     /// <exception cref="CommandException">There is no line or arc.</exception>
-    private static async Task<Segment> GoOnAsync(CommandContext context)
+    private static async Task<Segment> ContinueAsync(CommandContext context)
     {
         if (LastDrawn.In(context) is not { } last) throw new CommandException(CommandFailure.Usage, Wording.Get("Drafting.NothingToContinue"));
         context.LastPoint = last.End;
-        var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", last.End), place => ArcQuestions.Between(ArcConstruction.FromEndsDirection(last.End, place, last.EndTangent), last.End, place)).ConfigureAwait(false);
+        var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", last.End), place => ArcPrompts.Between(ArcConstruction.FromEndsDirection(last.End, place, last.EndTangent), last.End, place)).ConfigureAwait(false);
         return arc[0];
     }
 
     /// <summary>A point different from the previous one.</summary>
-    private static async Task<Point2D> OtherAsync(CommandContext context, string text, Point2D from)
+    private static async Task<Point2D> NextPointAsync(CommandContext context, string text, Point2D from)
     {
         var (line, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place(text, from), place => place == from ? null : [Segment.FromLine(from, place)]).ConfigureAwait(false);
         return line[0].End;

@@ -12,7 +12,7 @@ internal sealed class LineCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        DrawingBeginning.Ensure(context);
+        NewDrawing.EnsureOpen(context);
         if (await FirstAsync(context).ConfigureAwait(false) is not { } points) return;
         var drawing = new PiecewiseDrawing(context);
         drawing.Show(Lines(points));
@@ -26,10 +26,10 @@ internal sealed class LineCommand : ICommand
     /// <returns>The first point; with the second if the line continues an arc; null if there is nothing to continue.</returns>
     private static async Task<List<Point2D>?> FirstAsync(CommandContext context)
     {
-        if (await context.AskAsync(new PointPrompt(Wording.Get("Line.SpecifyFirst")) { EnterEnds = true }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var first }) return [first];
+        if (await context.AskAsync(new PointPrompt(Wording.Get("Line.SpecifyFirst")) { EnterEnds = true }).ConfigureAwait(false) is Answer<Point2D>.Value { Result: var first }) return [first];
         if (LastDrawn.In(context) is not { } last)
         {
-            context.Say(Wording.Get("Drafting.NothingToContinue"));
+            context.WriteMessage(Wording.Get("Drafting.NothingToContinue"));
             return null;
         }
 
@@ -52,10 +52,10 @@ internal sealed class LineCommand : ICommand
         {
             case null:
                 points.Add(line[0].End);
-                return LineStep.GoOn;
+                return LineStep.Continue;
             case "Undo":
                 Undo(context, points);
-                return LineStep.GoOn;
+                return LineStep.Continue;
             case "Close":
                 points.Add(points[0]);
                 return LineStep.Close;
@@ -66,14 +66,14 @@ internal sealed class LineCommand : ICommand
 
     private static void Undo(CommandContext context, List<Point2D> points)
     {
-        if (points.Count == 1) context.Say(Wording.Get("Drafting.NothingToUndo"));
+        if (points.Count == 1) context.WriteMessage(Wording.Get("Drafting.NothingToUndo"));
         else points.RemoveAt(points.Count - 1);
         context.LastPoint = points[^1];
     }
 
     private enum LineStep
     {
-        GoOn,
+        Continue,
         Close,
         Stop,
     }

@@ -8,7 +8,7 @@ internal sealed class PiecewiseDrawing
 {
     private readonly CommandContext _context;
     private readonly DocumentState _before;
-    private bool _isTaken;
+    private bool _isCommitted;
 
     public PiecewiseDrawing(CommandContext context) => (_context, _before) = (context, context.Document.Current);
 
@@ -18,14 +18,14 @@ internal sealed class PiecewiseDrawing
     {
         if (curves.Count == 0)
         {
-            if (_isTaken) _context.Document.Undo();
-            _isTaken = false;
+            if (_isCommitted) _context.Document.Undo();
+            _isCommitted = false;
             return;
         }
 
         var next = DrawingAddition.Add(_before, curves);
-        if (_isTaken) _context.Document.Amend(next);
-        else _context.Take(next);
-        _isTaken = true;
+        if (_isCommitted) _context.Document.Amend(next);
+        else _context.Commit(next);
+        _isCommitted = true;
     }
 }

@@ -10,41 +10,41 @@ internal sealed class PolygonCommand : ICommand
 {
     private const string Sides = "POLYSIDES";
     private const string Fit = "POLYGON";
-    private const int MostSides = 1024;
+    private const int MaxSides = 1024;
 
     public CommandInfo Info { get; } = new("POLYGON", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        DrawingBeginning.Ensure(context);
-        var sides = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Polygon.EnterSides")) { Default = context.Remembered(Sides, "4"), Least = 3, Most = MostSides, Whole = true }).ConfigureAwait(false);
-        context.Remember(Sides, NumberPrompt.Show(sides));
-        var outline = await context.AskAsync(ShapePrompts.Place("Polygon.SpecifyCentre", null, "Edge")).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var centre }
-            ? await AboutAsync(context, centre, sides).ConfigureAwait(false)
-            : await OnEdgeAsync(context, sides).ConfigureAwait(false);
-        DrawingAddition.Take(context, NewCurve.Polyline(outline, closed: true));
+        NewDrawing.EnsureOpen(context);
+        var sides = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Polygon.EnterSides")) { Default = context.LastValue(Sides, "4"), Min = 3, Max = MaxSides, IsInteger = true }).ConfigureAwait(false);
+        context.Remember(Sides, NumberPrompt.Format(sides));
+        var outline = await context.AskAsync(ShapePrompts.Place("Polygon.SpecifyCentre", null, "Edge")).ConfigureAwait(false) is Answer<Point2D>.Value { Result: var centre }
+            ? await FromCentreAsync(context, centre, sides).ConfigureAwait(false)
+            : await FromEdgeAsync(context, sides).ConfigureAwait(false);
+        DrawingAddition.Commit(context, NewCurve.Polyline(outline, closed: true));
     }
 
-    private static async Task<IReadOnlyList<Segment>> AboutAsync(CommandContext context, Point2D centre, int sides)
+    private static async Task<IReadOnlyList<Segment>> FromCentreAsync(CommandContext context, Point2D centre, int sides)
     {
-        var fit = await context.ChoiceAsync(Wording.Get("Common.EnterOption"), Keyword.List("Inscribed", "Circumscribed"), context.Remembered(Fit, "Inscribed")).ConfigureAwait(false);
+        var fit = await context.ChoiceAsync(Wording.Get("Common.EnterOption"), Keyword.List("Inscribed", "Circumscribed"), context.LastValue(Fit, "Inscribed")).ConfigureAwait(false);
         context.Remember(Fit, fit);
         var isInscribed = fit == "Inscribed";
         var level = Angle.FromDegrees(isInscribed ? (180.0 / sides) - 90.0 : -90.0); // The bottom side is horizontal if the radius is typed.
         while (true)
         {
-            switch (await context.AskAsync(new ReachPrompt(Wording.Get("Circle.SpecifyRadius"), centre) { Ghost = place => Outline(place) ?? [] }).ConfigureAwait(false))
+            switch (await context.AskAsync(new DistancePrompt(Wording.Get("Circle.SpecifyRadius"), centre) { Ghost = place => Outline(place) ?? [] }).ConfigureAwait(false))
             {
-                case Answer<Amount>.Value { Of: Amount.Number { Of: var radius } } when Outline(centre + Vector2D.FromPolar(radius, level)) is { } outline: return outline;
-                case Answer<Amount>.Value { Of: Amount.Number }: context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning); break; // Beyond the precision of such coordinates.
-                case Answer<Amount>.Value { Of: Amount.Beginning { At: var place } } when Outline(place) is { } outline: return outline;
+                case Answer<Amount>.Value { Result: Amount.Number { Value: var radius } } when Outline(centre + Vector2D.FromPolar(radius, level)) is { } outline: return outline;
+                case Answer<Amount>.Value { Result: Amount.Number }: context.WriteMessage(Wording.Get("Drafting.Impossible"), MessageKind.Warning); break; // Beyond the precision of such coordinates.
+                case Answer<Amount>.Value { Result: Amount.FirstPoint { Point: var place } } when Outline(place) is { } outline: return outline;
             }
         }
 
         IReadOnlyList<Segment>? Outline(Point2D place) => place == centre ? null : PolygonConstruction.Outline(isInscribed ? PolygonConstruction.Inscribed(centre, place, sides) : PolygonConstruction.Circumscribed(centre, place, sides));
     }
 
-    private static async Task<IReadOnlyList<Segment>> OnEdgeAsync(CommandContext context, int sides)
+    private static async Task<IReadOnlyList<Segment>> FromEdgeAsync(CommandContext context, int sides)
     {
         var first = await ShapePrompts.PointAsync(context, "Polygon.SpecifyFirstEdge").ConfigureAwait(false);
         var (outline, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Polygon.SpecifySecondEdge", first), second => second == first ? null : PolygonConstruction.Outline(PolygonConstruction.OnEdge(first, second, sides))).ConfigureAwait(false);
@@ -54,14 +54,14 @@ internal sealed class PolygonCommand : ICommand
 
 /// <summary>Asks for a point relative to another one, or for its distance as a number.</summary>
 /// <param name="From">Drawing units.</param>
-internal sealed record ReachPrompt(string Instruction, Point2D From) : ValuePrompt<Amount>(Instruction)
+internal sealed record DistancePrompt(string Instruction, Point2D From) : ValuePrompt<Amount>(Instruction)
 {
-    /// <summary>Preview for a cursor position (<see cref="PointAim.Ghost"/>).</summary>
-    public GhostOf? Ghost { get; init; }
+    /// <summary>Preview for a cursor position (<see cref="PointRequest.Ghost"/>).</summary>
+    public GhostFunction? Ghost { get; init; }
 
-    public override PointAim Aim => new(PointUse.Place, From) { Ghost = Ghost };
+    public override PointRequest PointRequest => new(PointPurpose.Place, From) { Ghost = Ghost };
 
     /// <returns>The distance as a number, a point as first point.</returns>
-    public override Reading<Amount> Read(string typed, Point2D lastPoint) =>
-        new AmountPrompt(Instruction, way => way.Length) { Least = ShapePrompts.Least, Most = ShapePrompts.Most }.Read(typed, lastPoint);
+    public override ParsedInput<Amount> Parse(string typed, Point2D lastPoint) =>
+        new AmountPrompt(Instruction, way => way.Length) { Min = ShapePrompts.Min, Max = ShapePrompts.Max }.Parse(typed, lastPoint);
 }

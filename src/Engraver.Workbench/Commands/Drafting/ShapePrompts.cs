@@ -9,10 +9,10 @@ namespace Engraver.Workbench.Commands.Drafting;
 internal static class ShapePrompts
 {
     /// <summary>Minimum length, drawing units.</summary>
-    public const double Least = 1e-9;
+    public const double Min = 1e-9;
 
     /// <summary>Maximum length, drawing units.</summary>
-    public const double Most = 1e9;
+    public const double Max = 1e9;
 
     /// <summary>Represents Enter alone as an answer.</summary>
     public const string Enter = "";
@@ -26,11 +26,11 @@ internal static class ShapePrompts
         {
             switch (await context.AskAsync(asked).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var place }:
+                case Answer<Point2D>.Value { Result: var place }:
                     if (make(place) is { } shape) return (shape, null);
-                    SayImpossible(context);
+                    WriteImpossible(context);
                     break;
-                case Answer<Point2D>.Chosen { Option: var option }:
+                case Answer<Point2D>.SelectedOption { Option: var option }:
                     return ([], option);
                 default:
                     return ([], Enter);
@@ -57,7 +57,7 @@ internal static class ShapePrompts
         {
             var (value, option) = await NumberAsync(context, prompt, make).ConfigureAwait(false);
             if (option is not null || make(value) is not null) return (value, option);
-            SayImpossible(context);
+            WriteImpossible(context);
         }
     }
 
@@ -70,12 +70,12 @@ internal static class ShapePrompts
         {
             switch (await context.AskAsync(prompt with { Ghost = GhostOf(prompt, make) }).ConfigureAwait(false))
             {
-                case Answer<Amount>.Value { Of: Amount.Number { Of: var value } }:
+                case Answer<Amount>.Value { Result: Amount.Number { Value: var value } }:
                     return (value, null);
-                case Answer<Amount>.Value { Of: Amount.Beginning { At: var place } }:
+                case Answer<Amount>.Value { Result: Amount.FirstPoint { Point: var place } }:
                     prompt = prompt with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Options = [], Default = null, From = place };
                     break;
-                case Answer<Amount>.Chosen { Option: var option }:
+                case Answer<Amount>.SelectedOption { Option: var option }:
                     return (0.0, option);
                 default:
                     return (0.0, Enter);
@@ -87,19 +87,19 @@ internal static class ShapePrompts
     /// <param name="from">First point; null to ask for two points.</param>
     /// <param name="memory">Name of the remembered default; null for none.</param>
     public static AmountPrompt Length(CommandContext context, string text, Point2D? from, string? memory = null, string? first = null, params ReadOnlySpan<string> options) =>
-        new(Wording.Get(text), way => way.Length) { Least = Least, Most = Most, From = from, Default = memory is null ? first : context.Remembered(memory) ?? first, Options = Keyword.List(options) };
+        new(Wording.Get(text), way => way.Length) { Min = Min, Max = Max, From = from, Default = memory is null ? first : context.LastValue(memory) ?? first, Options = Keyword.List(options) };
 
     /// <summary>An angle in degrees, counter-clockwise positive; given by a point, the angle of the line to it.</summary>
     public static AmountPrompt Degrees(string text, Point2D? from, string? standard = null, params ReadOnlySpan<string> options) =>
-        new(Wording.Get(text), way => way.Direction.Positive().Degrees) { Least = -360.0, Most = 360.0, From = from, Default = standard, Options = Keyword.List(options) };
+        new(Wording.Get(text), way => way.Direction.Positive().Degrees) { Min = -360.0, Max = 360.0, From = from, Default = standard, Options = Keyword.List(options) };
 
     public static PointPrompt Place(string text, Point2D? from = null, params ReadOnlySpan<string> options) => new(Wording.Get(text)) { From = from, Options = Keyword.List(options) };
 
     /// <summary>A point without a base point.</summary>
     public static Task<Point2D> PointAsync(CommandContext context, string text, Point2D? from = null) => context.ValueAsync(Place(text, from));
 
-    private static void SayImpossible(CommandContext context) => context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning);
+    private static void WriteImpossible(CommandContext context) => context.WriteMessage(Wording.Get("Drafting.Impossible"), MessageKind.Warning);
 
-    private static GhostOf? GhostOf(AmountPrompt prompt, Func<double, IReadOnlyList<Segment>?>? make) =>
-        make is null || prompt.From is not { } from ? null : place => prompt.Measure(place - from) is var value && value >= prompt.Least && value <= prompt.Most ? make(value) ?? [] : [];
+    private static GhostFunction? GhostOf(AmountPrompt prompt, Func<double, IReadOnlyList<Segment>?>? make) =>
+        make is null || prompt.From is not { } from ? null : place => prompt.Measure(place - from) is var value && value >= prompt.Min && value <= prompt.Max ? make(value) ?? [] : [];
 }

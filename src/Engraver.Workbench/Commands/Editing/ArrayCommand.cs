@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>ARRAY: Copies objects in rows and columns, or around a point.</summary>
 internal sealed class ArrayCommand : ICommand
 {
-    private const int Most = 1000;
+    private const int MaxItems = 1000;
     private const int FirstItems = 6;
     private const double FullTurn = 360.0;
 
@@ -16,9 +16,9 @@ internal sealed class ArrayCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
-        var type = await context.ChoiceAsync(Wording.Get("Array.EnterType"), Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
+        var type = await context.ChoiceAsync(Wording.Get("Array.EnterType"), Keyword.List("Rectangular", "POlar"), context.LastValue("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
         var maps = type == "Rectangular" ? await RectangularAsync(context, ghost).ConfigureAwait(false) : await PolarAsync(context, ghost).ConfigureAwait(false);
         var edited = context.Drawing;
@@ -28,14 +28,14 @@ internal sealed class ArrayCommand : ICommand
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopyOutOfRange"));
         }
 
-        DrawingChange.Take(context, DrawingChange.Along(context, selected, takesLocked: true).Copied(edited, maps), selected);
+        DrawingChange.Commit(context, DrawingChange.AnnotationsOf(context, selected, takesLocked: true).Copied(edited, maps), selected);
     }
 
     private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context, SelectionGhost ghost)
     {
         var rows = await CountAsync(context, Wording.Get("Array.EnterRows"), 3, null).ConfigureAwait(false);
         var columns = await CountAsync(context, Wording.Get("Array.EnterColumns"), 4, null).ConfigureAwait(false);
-        if (rows * columns > Most) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.TooManyCopies", rows * columns, Most));
+        if (rows * columns > MaxItems) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.TooManyCopies", rows * columns, MaxItems));
         var up = 0.0;
         if (rows > 1 && await DistanceAsync(context, ghost, Wording.Get("Array.EnterDistanceBetweenRows"), way => way.Y, Cells).ConfigureAwait(false) is var cell)
         {
@@ -55,9 +55,9 @@ internal sealed class ArrayCommand : ICommand
     /// <returns>The typed number as Y, or both sides of the cell.</returns>
     private static async Task<(double? X, double Y)> DistanceAsync(CommandContext context, SelectionGhost ghost, string instruction, Func<Vector2D, double> measure, Func<Vector2D, IReadOnlyList<Transform2D>> maps)
     {
-        var prompt = new AmountPrompt(instruction, measure) { Least = -Drawing.LargestCoordinate, Most = Drawing.LargestCoordinate };
+        var prompt = new AmountPrompt(instruction, measure) { Min = -Drawing.LargestCoordinate, Max = Drawing.LargestCoordinate };
         var answer = await context.ValueAsync(prompt).ConfigureAwait(false);
-        if (answer is not Amount.Beginning { At: var corner }) return (null, ((Amount.Number)answer).Of);
+        if (answer is not Amount.FirstPoint { Point: var corner }) return (null, ((Amount.Number)answer).Value);
         var opposite = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyOppositeCorner")) { From = corner, Ghost = place => ghost.Mapped(maps(place - corner)) }).ConfigureAwait(false);
         return (opposite.X - corner.X, opposite.Y - corner.Y);
     }
@@ -66,7 +66,7 @@ internal sealed class ArrayCommand : ICommand
     {
         var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyCentre")) { Ghost = place => ghost.Mapped(Around(place, FirstItems, FullTurn)) }).ConfigureAwait(false);
         var items = await CountAsync(context, Wording.Get("Array.EnterItems"), FirstItems, _ => ghost.Mapped(Around(centre, FirstItems, FullTurn))).ConfigureAwait(false);
-        var fill = await context.ValueAsync(new NumberPrompt(Wording.Get("Array.SpecifyAngleFill")) { Default = "360", Least = -FullTurn, Most = FullTurn, Preview = _ => ghost.Mapped(Around(centre, items, FullTurn)) }).ConfigureAwait(false);
+        var fill = await context.ValueAsync(new NumberPrompt(Wording.Get("Array.SpecifyAngleFill")) { Default = "360", Min = -FullTurn, Max = FullTurn, Preview = _ => ghost.Mapped(Around(centre, items, FullTurn)) }).ConfigureAwait(false);
         return Around(centre, items, fill);
     }
 
@@ -78,6 +78,6 @@ internal sealed class ArrayCommand : ICommand
     }
 
     /// <param name="preview">Preview of the default; null for none.</param>
-    private static async Task<int> CountAsync(CommandContext context, string instruction, int first, GhostOf? preview) =>
-        (int)await context.ValueAsync(new NumberPrompt(instruction) { Default = NumberPrompt.Show(first), Least = 1, Most = Most, Whole = true, Preview = preview }).ConfigureAwait(false);
+    private static async Task<int> CountAsync(CommandContext context, string instruction, int first, GhostFunction? preview) =>
+        (int)await context.ValueAsync(new NumberPrompt(instruction) { Default = NumberPrompt.Format(first), Min = 1, Max = MaxItems, IsInteger = true, Preview = preview }).ConfigureAwait(false);
 }

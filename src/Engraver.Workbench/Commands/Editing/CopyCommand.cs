@@ -6,34 +6,34 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>COPY: Copies objects to several points until Enter. All copies are one undo step.</summary>
 internal sealed class CopyCommand : ICommand
 {
-    private const int MostItems = 1000;
+    private const int MaxItems = 1000;
 
     public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        var (ghost, copies) = (new SelectionGhost(context.Drawing, selected), new Copies(context, selected));
+        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
+        var (ghost, copies) = (new SelectionGhost(context.Drawing, selected), new CopyRun(context, selected));
         if (await Displacement.BaseAsync(context).ConfigureAwait(false) is not { } from) copies.Add([await Displacement.TypedAsync(context, ghost).ConfigureAwait(false)]);
         else await PlaceAsync(context, ghost, from, copies).ConfigureAwait(false);
     }
 
-    private static async Task PlaceAsync(CommandContext context, SelectionGhost ghost, Point2D from, Copies copies)
+    private static async Task PlaceAsync(CommandContext context, SelectionGhost ghost, Point2D from, CopyRun copies)
     {
         while (true)
         {
             switch (await context.AskAsync(NextPrompt(ghost, from, copies.Count)).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var to }:
+                case Answer<Point2D>.Value { Result: var to }:
                     copies.Add([to - from]);
                     break;
-                case Answer<Point2D>.Chosen { Option: "Array" }:
+                case Answer<Point2D>.SelectedOption { Option: "Array" }:
                     copies.Add(await ArrayAsync(context, ghost, from).ConfigureAwait(false));
                     break;
-                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                case Answer<Point2D>.SelectedOption { Option: "Undo" }:
                     copies.Undo();
                     break;
-                case Answer<Point2D>.Ended:
+                case Answer<Point2D>.EndOfList:
                     copies.Add([from - Point2D.Origin]);
                     return;
                 default:
@@ -52,7 +52,7 @@ internal sealed class CopyCommand : ICommand
     /// <summary>A row of copies, spaced by the vector from the base point to the second point.</summary>
     private static async Task<IReadOnlyList<Vector2D>> ArrayAsync(CommandContext context, SelectionGhost ghost, Point2D from)
     {
-        var items = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Copy.EnterItems")) { Least = 2, Most = MostItems, Whole = true }).ConfigureAwait(false);
+        var items = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Copy.EnterItems")) { Min = 2, Max = MaxItems, IsInteger = true }).ConfigureAwait(false);
         var to = await context.ValueAsync(new PointPrompt(Wording.Get("Copy.SpecifySecondPoint")) { From = from, Ghost = place => ghost.Mapped([.. Ways(place - from).Select(Transform2D.Move)]) }).ConfigureAwait(false);
         return [.. Ways(to - from)];
 
@@ -60,24 +60,24 @@ internal sealed class CopyCommand : ICommand
     }
 
     /// <summary>The copies made so far.</summary>
-    private sealed class Copies(CommandContext context, IReadOnlyList<int> selected)
+    private sealed class CopyRun(CommandContext context, IReadOnlyList<int> selected)
     {
-        private readonly JoinedSteps _steps = new(context);
+        private readonly UndoGroup _steps = new(context);
 
         public int Count => _steps.Count;
 
         /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
         public void Add(IReadOnlyList<Vector2D> ways)
         {
-            var edited = DrawingChange.Copied(context, selected, [.. ways.Select(Transform2D.Move)], tells: Count == 0);
-            _steps.Take(context.Document.Current with { Drawing = edited, Selection = [], Previous = selected });
-            context.ShowPicked(selected);
+            var edited = DrawingChange.Copied(context, selected, [.. ways.Select(Transform2D.Move)], reports: Count == 0);
+            _steps.Commit(context.Document.Current with { Drawing = edited, Selection = [], Previous = selected });
+            context.HighlightPicked(selected);
         }
 
         public void Undo()
         {
-            if (!_steps.Undo()) context.Say(Wording.Get("Copy.NothingToUndo"));
-            context.ShowPicked(selected);
+            if (!_steps.Undo()) context.WriteMessage(Wording.Get("Copy.NothingToUndo"));
+            context.HighlightPicked(selected);
         }
     }
 }

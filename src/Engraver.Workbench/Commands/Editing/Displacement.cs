@@ -13,18 +13,18 @@ internal static class Displacement
     public static async Task<Point2D?> BaseAsync(CommandContext context)
     {
         var first = await context.AskAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint")) { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
-        return first is Answer<Point2D>.Value { Of: var basePoint } ? basePoint : null;
+        return first is Answer<Point2D>.Value { Result: var basePoint } ? basePoint : null;
     }
 
     public static async Task<Vector2D> TypedAsync(CommandContext context, SelectionGhost ghost) =>
         await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement")) { Ghost = GhostFrom(ghost, Point2D.Origin), From = Point2D.Origin }).ConfigureAwait(false) - Point2D.Origin;
 
     /// <summary>Preview of the objects moved from the base point to the cursor.</summary>
-    public static GhostOf GhostFrom(SelectionGhost ghost, Point2D basePoint) => place => ghost.Mapped(Transform2D.Move(place - basePoint));
+    public static GhostFunction GhostFrom(SelectionGhost ghost, Point2D basePoint) => place => ghost.Mapped(Transform2D.Move(place - basePoint));
 
     private static async Task<Vector2D> WayFromAsync(CommandContext context, SelectionGhost ghost, Point2D basePoint)
     {
         var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOrDisplacement")) { EnterEnds = true, From = basePoint, Ghost = GhostFrom(ghost, basePoint) }).ConfigureAwait(false);
-        return second is Answer<Point2D>.Value { Of: var point } ? point - basePoint : basePoint - Point2D.Origin;
+        return second is Answer<Point2D>.Value { Result: var point } ? point - basePoint : basePoint - Point2D.Origin;
     }
 }

@@ -10,14 +10,14 @@ namespace Engraver.Workbench.Commands.Editing;
 internal static class DrawingChange
 {
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Take(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
+    public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Commit(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
 
     /// <summary>Transforms the whole drawing including locked layers, because relative positions do not change.</summary>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    public static void TransformWhole(CommandContext context, Transform2D map)
+    public static void TransformAll(CommandContext context, Transform2D map)
     {
         IReadOnlyList<int> all = [.. Enumerable.Range(0, context.Drawing.Entities.Count)];
-        Take(context, Mapped(context, all, map, takesLocked: true), all);
+        Commit(context, Mapped(context, all, map, takesLocked: true), all);
     }
 
     /// <summary>The drawing with some objects transformed, and the texts that move with them.</summary>
@@ -27,13 +27,13 @@ internal static class DrawingChange
     {
         var drawing = context.Drawing;
         if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
-        return Along(context, selected, takesLocked: takesLocked).Moved(edited, map);
+        return AnnotationsOf(context, selected, takesLocked: takesLocked).Moved(edited, map);
     }
 
     /// <summary>The drawing with a transformed copy of some objects for each map, and of the texts and points that move with them.</summary>
-    /// <param name="tells">False if the operator was already informed about texts and points that do not move.</param>
+    /// <param name="reports">False if the operator was already informed about texts and points that do not move.</param>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    public static Drawing Copied(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Transform2D> maps, bool tells = true)
+    public static Drawing Copied(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Transform2D> maps, bool reports = true)
     {
         var edited = context.Drawing;
         foreach (var map in maps)
@@ -41,7 +41,7 @@ internal static class DrawingChange
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
         }
 
-        return Along(context, selected, tells, takesLocked: true).Copied(edited, maps);
+        return AnnotationsOf(context, selected, reports, takesLocked: true).Copied(edited, maps);
     }
 
     /// <summary>Erases objects. Hidden objects stay hidden.</summary>
@@ -49,58 +49,58 @@ internal static class DrawingChange
     public static void Erase(CommandContext context, IReadOnlyList<int> erased, bool asDoubles = false)
     {
         var gone = erased.Distinct().Order().ToList();
-        var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - BelowIn(gone, index));
+        var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - CountBelow(gone, index));
         var erasedFrom = DrawingEdit.Erase(context.Drawing, gone);
-        var left = asDoubles ? erasedFrom : Along(context, gone).Without(erasedFrom);
-        Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
+        var left = asDoubles ? erasedFrom : AnnotationsOf(context, gone).Without(erasedFrom);
+        Commit(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
 
     /// <param name="previous">The edited objects, indices in the rebuilt drawing.</param>
     /// <param name="change">Settings that change in the same step; null for none.</param>
-    public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous, Func<DrawingSettings, DrawingSettings>? change = null) =>
-        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous, change);
+    public static void Commit(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous, Func<DrawingSettings, DrawingSettings>? change = null) =>
+        Commit(context, rebuilt.Finish(), previous, rebuilt.NewIndices(context.Document.Current.HiddenObjects), previous, change);
 
     /// <summary>For an edit that keeps the indices of all objects.</summary>
     /// <param name="previous">The edited objects, indices in the edited drawing.</param>
-    public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
+    public static void Commit(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Commit(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
     /// <summary>The texts and points that move with these curves; reports how many do not.</summary>
-    /// <param name="tells">False if this was already reported.</param>
+    /// <param name="reports">False if this was already reported.</param>
     /// <param name="takesLocked">Also those on locked layers.</param>
-    public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true, bool takesLocked = false)
+    public static EditedAnnotations AnnotationsOf(CommandContext context, IReadOnlyList<int> selected, bool reports = true, bool takesLocked = false)
     {
-        var along = EditedAnnotations.Along(context.Drawing, selected, takesLocked);
-        if (tells && along.TextsLeft > 0) context.Say(Wording.Get("DrawingChange.TextsUnchanged", CountText.Format(along.TextsLeft, "Text")));
-        if (tells && along.PointsLeft > 0) context.Say(Wording.Get("DrawingChange.PointsUnchanged", CountText.Format(along.PointsLeft, "PointObject")));
+        var along = EditedAnnotations.ForCurves(context.Drawing, selected, takesLocked);
+        if (reports && along.UnmovedTexts > 0) context.WriteMessage(Wording.Get("DrawingChange.TextsUnchanged", CountText.Format(along.UnmovedTexts, "Text")));
+        if (reports && along.UnmovedPoints > 0) context.WriteMessage(Wording.Get("DrawingChange.PointsUnchanged", CountText.Format(along.UnmovedPoints, "PointObject")));
         return along;
     }
 
     public static Drawing WithHidden(Drawing drawing, IEnumerable<int> indices, bool hidden) =>
         drawing with { Entities = drawing.Entities.With(indices.Select(index => (index, drawing.Entities[index] with { Hidden = hidden })), []) };
 
-    private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
+    private static int CountBelow(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
 
     /// <param name="substitutes">Indices of objects that may replace the removed ones.</param>
-    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes, Func<DrawingSettings, DrawingSettings>? change = null)
+    private static void Commit(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes, Func<DrawingSettings, DrawingSettings>? change = null)
     {
         var state = context.Document.Current;
         var settings = state.Settings with { Enter = EnteringAfter(context, edited, substitutes) };
         if (change is not null) settings = change(settings);
-        context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
+        context.Commit(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
     }
 
     /// <summary>The start of cutting after an edit: the object that replaced the entry entity; this is reported.</summary>
-    private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
+    private static EntryPoint? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
     {
         var place = context.Document.Current.Settings.Enter;
-        if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
-        if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, substitutes) is { } other)
+        if (place is not EntryPoint.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
+        if (EntryHandleSubstitute.HandleOf(context.Drawing, handle, edited, substitutes) is { } other)
         {
-            context.Say(Wording.Get("DrawingChange.EnteringEntityReplaced", handle, other));
-            return new EnteringPlace.ByHandle(other);
+            context.WriteMessage(Wording.Get("DrawingChange.EnteringEntityReplaced", handle, other));
+            return new EntryPoint.ByHandle(other);
         }
 
-        context.Say(Wording.Get("DrawingChange.EnteringEntityRemoved", handle));
+        context.WriteMessage(Wording.Get("DrawingChange.EnteringEntityRemoved", handle));
         return null;
     }
 }

@@ -10,10 +10,10 @@ internal sealed class ExplodeCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
         var (rebuilt, parts, count) = PolylineEdit.Explode(context.Drawing, selected);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Explode.NoPolyline"));
-        DrawingChange.Take(context, rebuilt, parts);
-        context.Say(Wording.Get("Editing.Converted", CountText.Format(count, "Polyline"), CountText.Format(parts.Count, "Object")));
+        DrawingChange.Commit(context, rebuilt, parts);
+        context.WriteMessage(Wording.Get("Editing.Converted", CountText.Format(count, "Polyline"), CountText.Format(parts.Count, "Object")));
     }
 }

@@ -11,11 +11,11 @@ internal sealed class JoinCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
         var tolerance = drawing.Scale.ToDrawing(context.Document.Current.Settings.JoinToleranceMm);
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoCommonEnds"));
-        DrawingChange.Take(context, rebuilt, joined);
-        context.Say(Wording.Get("Editing.Converted", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
+        DrawingChange.Commit(context, rebuilt, joined);
+        context.WriteMessage(Wording.Get("Editing.Converted", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
     }
 }

@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Editing;
 internal sealed class LayerCommand : ICommand
 {
     /// <summary>Wildcard for all layers.</summary>
-    private const string Every = "*";
+    private const string AllLayers = "*";
 
     public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
 
@@ -17,14 +17,14 @@ internal sealed class LayerCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var edit = new LayerEdit(context);
-        while (await context.AskAsync(new ChoicePrompt(Wording.Get("Common.EnterOption")) { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.Chosen { Option: var option })
+        while (await context.AskAsync(new ChoicePrompt(Wording.Get("Common.EnterOption")) { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.SelectedOption { Option: var option })
         {
-            if (option == "?") context.SayResult(output => Write(edit, output));
+            if (option == "?") context.WriteResult(output => Write(edit, output));
             else if (option is "Make" or "Set" or "Rename") await NameAsync(context, edit, option).ConfigureAwait(false);
             else await SwitchAsync(context, edit, option).ConfigureAwait(false);
         }
 
-        edit.Take(context);
+        edit.Commit(context);
     }
 
     private static async Task NameAsync(CommandContext context, LayerEdit edit, string option)
@@ -32,42 +32,42 @@ internal sealed class LayerCommand : ICommand
         switch (option)
         {
             case "Make":
-                edit.Make(await AskAsync("Layer.NameToMake", edit.WhyNotMade, edit.Current).ConfigureAwait(false));
+                edit.Create(await AskAsync("Layer.NameToMake", edit.CreateError, edit.Current).ConfigureAwait(false));
                 break;
             case "Set":
-                edit.Set(await AskAsync("Layer.NameToSet", edit.WhyNotSet, edit.Current).ConfigureAwait(false));
+                edit.SetCurrent(await AskAsync("Layer.NameToSet", edit.SetCurrentError, edit.Current).ConfigureAwait(false));
                 break;
-            case var _ when edit.Layers.All(layer => edit.WhyNotRenamed(layer.Name) is not null):
-                context.Say(edit.WhyNotRenamed(edit.Current)!, MessageKind.Warning);
+            case var _ when edit.Layers.All(layer => edit.RenameSourceError(layer.Name) is not null):
+                context.WriteMessage(edit.RenameSourceError(edit.Current)!, MessageKind.Warning);
                 break;
             default:
-                var name = await AskAsync("Layer.OldName", edit.WhyNotRenamed, edit.WhyNotRenamed(edit.Current) is null ? edit.Current : null).ConfigureAwait(false);
-                edit.Rename(name, await AskAsync("Layer.NewName", to => edit.WhyNotNamed(name, to)).ConfigureAwait(false));
+                var name = await AskAsync("Layer.OldName", edit.RenameSourceError, edit.RenameSourceError(edit.Current) is null ? edit.Current : null).ConfigureAwait(false);
+                edit.Rename(name, await AskAsync("Layer.NewName", to => edit.RenameTargetError(name, to)).ConfigureAwait(false));
                 break;
         }
 
-        context.Say(Wording.Get("Layer.Current", edit.Current));
+        context.WriteMessage(Wording.Get("Layer.Current", edit.Current));
 
         Task<string> AskAsync(string instruction, Func<string, string?> refusal, string? standard = null) =>
-            context.ValueAsync(new TextPrompt(Wording.Get(instruction)) { Default = standard, Refusal = refusal });
+            context.ValueAsync(new TextPrompt(Wording.Get(instruction)) { Default = standard, Validate = refusal });
     }
 
     private static async Task SwitchAsync(CommandContext context, LayerEdit edit, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
-        var prompt = new TextPrompt(Wording.Get("Layer.EnterNames")) { Refusal = typed => edit.WhyUnknown(NamesIn(edit, typed).Where(name => name != Every)) };
+        var prompt = new TextPrompt(Wording.Get("Layer.EnterNames")) { Validate = typed => edit.UnknownLayerError(NamesIn(edit, typed).Where(name => name != AllLayers)) };
         var names = NamesIn(edit, await context.ValueAsync(prompt).ConfigureAwait(false));
-        edit.Change(layer => names.Any(name => name == Every || LayerEdit.Is(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
+        edit.Change(layer => names.Any(name => name == AllLayers || LayerEdit.IsNamed(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
     }
 
     /// <summary>Splits the names at commas, unless the whole text is the name of an existing layer (other programs allow commas).</summary>
-    private static string[] NamesIn(LayerEdit edit, string typed) => edit.Layers.Any(layer => LayerEdit.Is(layer, typed)) ? [typed] : typed.Split(',', StringSplitOptions.TrimEntries);
+    private static string[] NamesIn(LayerEdit edit, string typed) => edit.Layers.Any(layer => LayerEdit.IsNamed(layer, typed)) ? [typed] : typed.Split(',', StringSplitOptions.TrimEntries);
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)
     {
         var prompt = new TextPrompt(Wording.Get("Layer.EnterColor"))
         {
-            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.NotAColour", typed, string.Join(", ", ColourName.Known)) : null,
+            Validate = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.NotAColour", typed, string.Join(", ", ColourName.Known)) : null,
         };
         return ColourName.Parse(await context.ValueAsync(prompt).ConfigureAwait(false))!.Value;
     }

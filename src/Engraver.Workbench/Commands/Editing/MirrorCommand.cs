@@ -10,13 +10,13 @@ internal sealed class MirrorCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var first = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifyFirstPoint"))).ConfigureAwait(false);
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifySecondPoint")) { From = first, Ghost = place => place == first ? [] : ghost.Mapped(Transform2D.MirrorAt(first, place)) }).ConfigureAwait(false);
         if (first == second) throw new CommandException(CommandFailure.Usage, Wording.Get("Mirror.PointsCoincide"));
         var question = new ChoicePrompt(Wording.Get("Mirror.EraseSource")) { Options = Keyword.List("Yes", "No"), Default = "No", Preview = _ => ghost.Mapped(Transform2D.MirrorAt(first, second)) };
-        var erase = await context.AskAsync(question).ConfigureAwait(false) is Answer<string>.Chosen { Option: "Yes" };
+        var erase = await context.AskAsync(question).ConfigureAwait(false) is Answer<string>.SelectedOption { Option: "Yes" };
         DrawingChange.Transform(context, selected, Transform2D.MirrorAt(first, second), copy: !erase);
     }
 }

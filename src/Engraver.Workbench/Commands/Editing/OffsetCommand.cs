@@ -10,8 +10,8 @@ namespace Engraver.Workbench.Commands.Editing;
 internal sealed class OffsetCommand : ICommand
 {
     private const string Last = "OFFSETDIST";
-    private const double LeastDistance = 1e-9;
-    private const double LargestDistance = 1e9;
+    private const double MinDistance = 1e-9;
+    private const double MaxDistance = 1e9;
 
     public CommandInfo Info { get; } = new("OFFSET", CommandGroup.Drawing);
 
@@ -21,11 +21,11 @@ internal sealed class OffsetCommand : ICommand
         var choice = await ChoiceAsync(context).ConfigureAwait(false);
         int[] made = [0];
         int? found = null;
-        var prompt = new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object, Refusal = at => (found = ObjectSelection.At(context, at)) is null ? Wording.Get("Offset.NoObjectAtPoint") : null };
+        var prompt = new PointPrompt(Wording.Get("Offset.SelectObject")) { Purpose = PointPurpose.Object, Validate = at => (found = ObjectSelection.EntityAt(context, at)) is null ? Wording.Get("Offset.NoObjectAtPoint") : null };
         while (await AnswerAsync(context, prompt, made).ConfigureAwait(false) is not null)
         {
             if (!await OffsetAsync(context, choice, found!.Value, made).ConfigureAwait(false)) return;
-            context.ShowPicked(null);
+            context.HighlightPicked(null);
         }
     }
 
@@ -36,12 +36,12 @@ internal sealed class OffsetCommand : ICommand
         var (sources, isMultiple) = (new Stack<int>([entity]), false);
         while (true)
         {
-            context.ShowPicked([sources.Peek()]);
+            context.HighlightPicked([sources.Peek()]);
             var prompt = SidePrompt(context, choice, sources.Peek(), isMultiple);
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var side }:
-                    if (Take(context, choice, sources.Peek(), side) is { } next)
+                case Answer<Point2D>.Value { Result: var side }:
+                    if (Commit(context, choice, sources.Peek(), side) is { } next)
                     {
                         made[0]++;
                         sources.Push(next);
@@ -49,15 +49,15 @@ internal sealed class OffsetCommand : ICommand
 
                     if (!isMultiple) return true;
                     break;
-                case Answer<Point2D>.Chosen { Option: "Multiple" }:
+                case Answer<Point2D>.SelectedOption { Option: "Multiple" }:
                     isMultiple = true;
                     break;
-                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                case Answer<Point2D>.SelectedOption { Option: "Undo" }:
                     if (!Undo(context, made)) break;
                     if (sources.Count == 1) return true; // The object may have another index now.
                     sources.Pop();
                     break;
-                case Answer<Point2D>.Ended:
+                case Answer<Point2D>.EndOfList:
                     return true;
                 default:
                     return false;
@@ -69,21 +69,21 @@ internal sealed class OffsetCommand : ICommand
     private static async Task<OffsetChoice> ChoiceAsync(CommandContext context)
     {
         var (erases, layer) = (false, default(int?));
-        var first = new AmountPrompt(Wording.Get("Offset.SpecifyDistance"), way => way.Length) { Least = LeastDistance, Most = LargestDistance, Options = Keyword.List("Through", "Erase", "Layer"), Default = context.Remembered(Last, "Through") };
+        var first = new AmountPrompt(Wording.Get("Offset.SpecifyDistance"), way => way.Length) { Min = MinDistance, Max = MaxDistance, Options = Keyword.List("Through", "Erase", "Layer"), Default = context.LastValue(Last, "Through") };
         for (var prompt = first; ;)
         {
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
-                case Answer<Amount>.Value { Of: Amount.Number { Of: var distance } }:
+                case Answer<Amount>.Value { Result: Amount.Number { Value: var distance } }:
                     context.Remember(Last, distance.ToString("R", CultureInfo.InvariantCulture));
                     return new OffsetChoice(distance, erases, layer);
-                case Answer<Amount>.Value { Of: Amount.Beginning { At: var place } }:
+                case Answer<Amount>.Value { Result: Amount.FirstPoint { Point: var place } }:
                     prompt = first with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Options = [], Default = null, From = place };
                     break;
-                case Answer<Amount>.Chosen { Option: "Erase" }:
+                case Answer<Amount>.SelectedOption { Option: "Erase" }:
                     erases = await context.ConfirmAsync(Wording.Get("Offset.EraseSource")).ConfigureAwait(false);
                     break;
-                case Answer<Amount>.Chosen { Option: "Layer" }:
+                case Answer<Amount>.SelectedOption { Option: "Layer" }:
                     layer = await LayerAsync(context).ConfigureAwait(false);
                     break;
                 default:
@@ -100,9 +100,9 @@ internal sealed class OffsetCommand : ICommand
         {
             Options = Keyword.List("Source"),
             Default = "Source",
-            Refusal = name => CurrentLayer.IndexOf(context.Drawing, name) is null ? Wording.Get("Offset.NoLayer", name) : null,
+            Validate = name => CurrentLayer.IndexOf(context.Drawing, name) is null ? Wording.Get("Offset.NoLayer", name) : null,
         };
-        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<string>.Value { Of: var chosen } ? CurrentLayer.IndexOf(context.Drawing, chosen) : null;
+        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<string>.Value { Result: var chosen } ? CurrentLayer.IndexOf(context.Drawing, chosen) : null;
     }
 
     private static PointPrompt SidePrompt(CommandContext context, OffsetChoice choice, int entity, bool isMultiple)
@@ -124,9 +124,9 @@ internal sealed class OffsetCommand : ICommand
         {
             switch (await context.AskAsync(prompt with { Options = Keyword.List("Exit", "Undo"), Default = "Exit" }).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var place }:
+                case Answer<Point2D>.Value { Result: var place }:
                     return place;
-                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                case Answer<Point2D>.SelectedOption { Option: "Undo" }:
                     Undo(context, made);
                     break;
                 default:
@@ -140,7 +140,7 @@ internal sealed class OffsetCommand : ICommand
     {
         if (made[0] == 0)
         {
-            context.Say(Wording.Get("Offset.NothingToUndo"));
+            context.WriteMessage(Wording.Get("Offset.NothingToUndo"));
             return false;
         }
 
@@ -150,13 +150,13 @@ internal sealed class OffsetCommand : ICommand
     }
 
     /// <returns>Index of the result, of several loops the one nearest to the point; null if the result is empty.</returns>
-    private static int? Take(CommandContext context, OffsetChoice choice, int entity, Point2D side)
+    private static int? Commit(CommandContext context, OffsetChoice choice, int entity, Point2D side)
     {
         var drawing = context.Drawing;
         var loops = EntityOffset.Create(drawing, entity, side, choice.Distance, context.Document.Current.Settings.MaxErrorMm);
         if (loops.Count == 0)
         {
-            context.Say(Wording.Get("Offset.NothingLeft"), MessageKind.Warning);
+            context.WriteMessage(Wording.Get("Offset.NothingLeft"), MessageKind.Warning);
             return null;
         }
 
@@ -168,7 +168,7 @@ internal sealed class OffsetCommand : ICommand
 
         var first = rebuilt.Count;
         EntityOffset.Add(rebuilt, drawing, entity, loops, choice.Layer);
-        DrawingChange.Take(context, rebuilt, [.. Enumerable.Range(first, loops.Count)]);
+        DrawingChange.Commit(context, rebuilt, [.. Enumerable.Range(first, loops.Count)]);
         return first + Enumerable.Range(0, loops.Count).MinBy(loop => loops[loop].Segments.Min(segment => SegmentDistance.Measure(segment, side)));
     }
 

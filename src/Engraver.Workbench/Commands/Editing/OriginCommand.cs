@@ -13,13 +13,13 @@ internal sealed class OriginCommand : ICommand
         var drawing = context.Drawing;
         var answer = await context.AskAsync(new PointPrompt(Wording.Get("Origin.SpecifyPoint")) { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
         var box = context.View.ExtentsOf(drawing);
-        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, Wording.Get("Origin.NothingVisible"));
+        if (answer is Answer<Point2D>.SelectedOption && box.IsEmpty) throw new CommandException(CommandFailure.Usage, Wording.Get("Origin.NothingVisible"));
         var place = answer switch
         {
-            Answer<Point2D>.Value { Of: var point } => point,
-            Answer<Point2D>.Chosen { Option: "Center" } => new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0),
+            Answer<Point2D>.Value { Result: var point } => point,
+            Answer<Point2D>.SelectedOption { Option: "Center" } => new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0),
             _ => new Point2D(box.MinX, box.MinY),
         };
-        DrawingChange.TransformWhole(context, Transform2D.Move(Point2D.Origin - place));
+        DrawingChange.TransformAll(context, Transform2D.Move(Point2D.Origin - place));
     }
 }

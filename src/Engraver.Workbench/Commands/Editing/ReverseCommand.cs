@@ -10,7 +10,7 @@ internal sealed class ReverseCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
-        DrawingChange.Take(context, DrawingEdit.Reverse(drawing, selected), selected);
+        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        DrawingChange.Commit(context, DrawingEdit.Reverse(drawing, selected), selected);
     }
 }

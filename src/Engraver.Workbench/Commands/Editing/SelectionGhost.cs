@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Editing;
 internal sealed class SelectionGhost
 {
     /// <summary>Maximum number of segments of a preview, over all copies.</summary>
-    public const int Most = 1000;
+    public const int MaxSegments = 1000;
 
     private readonly Lazy<Segment[]> _shown;
     private readonly Lazy<Segment[]> _box;
@@ -25,16 +25,16 @@ internal sealed class SelectionGhost
     /// <summary>The objects transformed by several maps; if there are too many, the bounding boxes of the first ones.</summary>
     public IReadOnlyList<Segment> Mapped(IReadOnlyList<Transform2D> maps)
     {
-        var shown = _shown.Value.Length * maps.Count <= Most + _box.Value.Length ? _shown.Value : _box.Value;
-        return [.. maps.Take(Most / Math.Max(1, _box.Value.Length)).SelectMany(map => shown.Select(segment => segment.Mapped(map)))];
+        var shown = _shown.Value.Length * maps.Count <= MaxSegments + _box.Value.Length ? _shown.Value : _box.Value;
+        return [.. maps.Take(MaxSegments / Math.Max(1, _box.Value.Length)).SelectMany(map => shown.Select(segment => segment.Mapped(map)))];
     }
 
     private Segment[] Sample(Drawing drawing, IReadOnlyList<int> selected)
     {
         var parts = selected.Sum(index => (long)drawing.Entities[index].PartCount);
         var segments = selected.SelectMany(index => DrawingPick.Segments(drawing, index));
-        if (parts <= Most) return [.. segments];
-        var step = 1 + (parts / Most);
+        if (parts <= MaxSegments) return [.. segments];
+        var step = 1 + (parts / MaxSegments);
         return [.. _box.Value, .. segments.Where((_, place) => place % step == 0)];
     }
 

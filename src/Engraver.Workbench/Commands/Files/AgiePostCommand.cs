@@ -19,20 +19,20 @@ internal sealed class AgiePostCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var style = await context.ChoiceAsync(Wording.Get("AgiePost.EnterStyle"), Keyword.List("Exact", "Paper"), context.Remembered(Name, "Exact")).ConfigureAwait(false);
+        var style = await context.ChoiceAsync(Wording.Get("AgiePost.EnterStyle"), Keyword.List("Exact", "Paper"), context.LastValue(Name, "Exact")).ConfigureAwait(false);
         context.Remember(Name, style);
         var options = new Dictionary<string, string> { [AgiePost.Style.Name] = style == "Paper" ? AgiePost.PaperStyle : AgiePost.ExactStyle };
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, new AgiePost(), options);
-        FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
-        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        var name = await ResultFile.WriteAsync(context, "program", new AgiePost().Ending, output => output.Write(text)).ConfigureAwait(false);
+        FindingMessages.Write(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
+        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.NoProgramReason}.");
+        var name = await ResultFile.WriteAsync(context, "program", new AgiePost().FileExtension, output => output.Write(text)).ConfigureAwait(false);
         if (name is not null)
         {
             context.Remember(VerifyCommand.Name, name);
-            ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
+            ProgramStart.Save(context.ResolveOutputPath(name), posted.Forecast);
         }
 
-        context.Remember(HistoryEntry.OfPost(drawing, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
-        if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
+        context.Remember(HistoryEntry.OfPost(drawing, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.ResolveOutputPath(name), context.Time.GetUtcNow()));
+        if (posted.Forecast is { } forecast) context.WriteResult(output => ForecastText.WriteSum(output, forecast));
     }
 }

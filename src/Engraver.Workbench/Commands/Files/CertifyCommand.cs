@@ -23,16 +23,16 @@ internal sealed class CertifyCommand : ICommand
         var file = context.Drawing.FileName;
         if (context.Document.IsDrawingEdited || context.Document.FilePath != file) throw new CommandException(CommandFailure.Usage, Wording.Get("Certify.Edited"));
         var usual = (PostTable.ForMotion(context.Driver, context.Derivation.Strategy.Style) ?? PostTable.All[0]).Keyword;
-        var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.Remembered(Name, usual)).ConfigureAwait(false);
+        var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.LastValue(Name, usual)).ConfigureAwait(false);
         context.Remember(Name, keyword);
         var made = await ReadBackProgress.ShowAsync(context.Progress, progress => Certification.CertifyAsync(Request(context, file, s_readable.First(choice => choice.Keyword == keyword), cancellation), progress, cancellation), cancellation).ConfigureAwait(false);
-        FindingMessages.Say(context, file, made.Diagnostics, Severity.Warning);
-        if (made.Certificate is not { } certificate) throw new CommandException(CommandFailure.Drawing, $"{made.WithoutProgram}.");
+        FindingMessages.Write(context, file, made.Diagnostics, Severity.Warning);
+        if (made.Certificate is not { } certificate) throw new CommandException(CommandFailure.Drawing, $"{made.NoProgramReason}.");
         if (!certificate.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Certify.NotOk", Path.GetFileName(file), certificate.MissingLength, certificate.ExtraLength));
         var place = CertificateFile.PathOf(file, certificate.Program.Target, certificate.Program.Dialect);
         CertificateFile.Write(place, certificate);
-        context.Say(Wording.Get("Certify.Written", Path.GetFileName(place), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
-        await LookAsync(context, cancellation).ConfigureAwait(false);
+        context.WriteMessage(Wording.Get("Certify.Written", Path.GetFileName(place), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
+        await CheckAsync(context, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>The drawing is read again, because the file is certified.</summary>
@@ -44,8 +44,8 @@ internal sealed class CertifyCommand : ICommand
     }
 
     /// <summary>Updates the start checks.</summary>
-    private static async Task LookAsync(CommandContext context, CancellationToken cancellation)
+    private static async Task CheckAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false);
+        if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.CheckAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false);
     }
 }

@@ -16,25 +16,25 @@ internal static class DrawingOpening
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation, DrawingSettings? wanted = null)
     {
         var settings = wanted ?? context.Document.Current.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
-        var drawing = context.Document.Shared(Read(context, path, settings, cancellation));
+        var drawing = context.Document.ShareColumns(Read(context, path, settings, cancellation));
         var why = DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics.First(found => found.Severity == Severity.Error) : null;
-        FindingMessages.Say(context, drawing.FileName, why is null ? drawing.Diagnostics : [.. drawing.Diagnostics.Where(found => found != why)], Severity.Warning);
+        FindingMessages.Write(context, drawing.FileName, why is null ? drawing.Diagnostics : [.. drawing.Diagnostics.Where(found => found != why)], Severity.Warning);
         if (why is not null) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(why).Message));
-        Leave(context);
+        Close(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
-        context.Take(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = sidecar });
+        context.Commit(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = sidecar });
         context.Document.MarkOpened();
         context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
-        context.Say(Wording.Get("DrawingOpening.Contents", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
-        if (sidecar.Trajectories.All.Count is > 0 and var count) context.Say(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
+        context.WriteMessage(Wording.Get("DrawingOpening.Contents", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
+        if (sidecar.Trajectories.All.Count is > 0 and var count) context.WriteMessage(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }
 
     /// <summary>Saves the view of the drawing being closed, and warns about unsaved edits.</summary>
-    public static void Leave(CommandContext context)
+    public static void Close(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
-        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.UnsavedChanges", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
+        if (context.Document.IsEdited) context.WriteMessage(Wording.Get("DrawingOpening.UnsavedChanges", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;

@@ -14,12 +14,12 @@ namespace Engraver.Workbench.Commands.Files;
 internal static class DrawingSaving
 {
     /// <summary>Warns about content of the drawing's file that the new file will not contain.</summary>
-    public static void SayRest(CommandContext context)
+    public static void WarnLostContent(CommandContext context)
     {
         var drawing = context.Drawing;
-        if (DrawingRest.Find(drawing) is not { Count: > 0 } rest) return;
+        if (UnusedContent.Find(drawing) is not { Count: > 0 } rest) return;
         var types = string.Join(", ", rest.Select(part => FormattableString.Invariant($"{part.Count} {part.Type}")));
-        FindingMessages.Say(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
+        FindingMessages.Write(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
     }
 
     /// <param name="name">As typed.</param>
@@ -29,7 +29,7 @@ internal static class DrawingSaving
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         OutputFile.Write(path, output => DxfWriter.Write(sheet, output));
         context.Document.MarkHandles(path, EditedDrawing.HandlesIn(sheet, drawing));
-        context.Say(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
+        context.WriteMessage(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
     /// <summary>Writes the sidecar of a drawing file. An existing sidecar that this session neither read nor wrote is renamed.</summary>
@@ -42,9 +42,9 @@ internal static class DrawingSaving
         var known = context.Document.KnownSidecar(path);
         if (sidecar.IsEmpty && (known is null || !File.Exists(path))) return false;
         var text = SidecarText.Write(WithHandlesOf(sidecar, context.Document.HandlesIn(drawing)), Path.GetFileName(drawing), SidecarFile.FingerprintOf(context.Drawing));
-        if (SidecarFile.Write(path, text, known, context.Time) is { } aside) FindingMessages.Say(context, drawing, [SidecarRules.SetAside.At(default, Path.GetFileName(path), Path.GetFileName(aside))], Severity.Warning);
+        if (SidecarFile.Write(path, text, known, context.Time) is { } aside) FindingMessages.Write(context, drawing, [SidecarRules.SetAside.At(default, Path.GetFileName(path), Path.GetFileName(aside))], Severity.Warning);
         context.Document.MarkSidecar(path, text);
-        context.Say(Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), CountText.Format(sidecar.Trajectories.All.Count, "Trajectory")));
+        context.WriteMessage(Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), CountText.Format(sidecar.Trajectories.All.Count, "Trajectory")));
         return true;
     }
 
@@ -60,7 +60,7 @@ internal static class DrawingSaving
     public static Sidecar LoadSidecar(CommandContext context, Drawing drawing)
     {
         var read = SidecarFile.Read(drawing);
-        FindingMessages.Say(context, drawing.FileName, read.Findings, Severity.Warning);
+        FindingMessages.Write(context, drawing.FileName, read.Findings, Severity.Warning);
         if (read.Text is { } text) context.Document.MarkSidecar(SidecarFile.PathOf(drawing.FileName), text);
         return read.Sidecar ?? WithSettingsOf(context.Document.Current.Sidecar);
     }

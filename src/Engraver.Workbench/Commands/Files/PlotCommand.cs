@@ -13,10 +13,10 @@ internal sealed class PlotCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var what = await context.ChoiceAsync(Wording.Get("Plot.EnterContent"), Keyword.List("Drawing", "Path", "Trajectory"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
+        var what = await context.ChoiceAsync(Wording.Get("Plot.EnterContent"), Keyword.List("Drawing", "Path", "Trajectory"), context.LastValue("PLOT", "Path")).ConfigureAwait(false);
         context.Remember("PLOT", what);
         var state = context.Document.Current;
-        var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectoryPick.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing");
+        var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectorySelection.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing");
         await ResultFile.WriteAsync(context, "plot", ".svg", output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
     }
 }

@@ -17,7 +17,7 @@ internal sealed class PostCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         _ = context.Drawing;
-        var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.Remembered("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
+        var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.LastValue("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
         context.Remember("POST", target);
         var choice = PostTable.Choices.First(one => one.Keyword == target);
         await WriteAsync(context, choice.Entry, choice.Options).ConfigureAwait(false);
@@ -30,11 +30,11 @@ internal sealed class PostCommand : ICommand
     {
         var (drawing, settings, post) = (context.Drawing, context.Document.Current.Settings, entry.Post);
         var posted = PostedProgram.Create(drawing, settings, post, options);
-        FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
-        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        var name = await ResultFile.WriteAsync(context, "program", post.Ending, output => output.Write(text)).ConfigureAwait(false);
-        if (name is not null) ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
+        FindingMessages.Write(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
+        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.NoProgramReason}.");
+        var name = await ResultFile.WriteAsync(context, "program", post.FileExtension, output => output.Write(text)).ConfigureAwait(false);
+        if (name is not null) ProgramStart.Save(context.ResolveOutputPath(name), posted.Forecast);
         if (name is not null && entry.Reader is not null) context.Remember(VerifyCommand.Name, name);
-        context.Remember(HistoryEntry.OfPost(drawing, settings, post.Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
+        context.Remember(HistoryEntry.OfPost(drawing, settings, post.Name, options, name is null ? null : context.ResolveOutputPath(name), context.Time.GetUtcNow()));
     }
 }

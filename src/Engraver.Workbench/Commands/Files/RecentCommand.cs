@@ -5,15 +5,15 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>RECENT: Lists the recently opened drawings, and opens one of them.</summary>
 internal sealed class RecentCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File) { BringsDrawing = true };
+    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File) { ReplacesDrawing = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var files = context.Settings.Current.RecentFiles;
         if (files.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Recent.Empty"));
-        context.SayResult(output => Write(files, output));
-        var prompt = new NumberPrompt(Wording.Get("Recent.EnterNumber")) { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
-        if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var number }) DrawingOpening.Open(context, files[(int)number - 1], files[(int)number - 1], cancellation);
+        context.WriteResult(output => Write(files, output));
+        var prompt = new NumberPrompt(Wording.Get("Recent.EnterNumber")) { EnterEnds = true, Min = 1, Max = files.Count, IsInteger = true };
+        if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Result: var number }) DrawingOpening.Open(context, files[(int)number - 1], files[(int)number - 1], cancellation);
     }
 
     private static void Write(IReadOnlyList<string> files, TextWriter output)

@@ -13,38 +13,17 @@ internal static class ResultFile
     /// <exception cref="CommandException">The operator declined to replace an existing file.</exception>
     public static async Task<string?> WriteAsync(CommandContext context, string kind, string ending, Action<TextWriter> write)
     {
-        var wanted = new FileWanted(kind, true, ending) { Suggested = context.BesideDrawing(ending), MayShow = true };
+        var wanted = new FileRequest(kind, true, ending) { Suggested = context.PathBesideDrawing(ending), CanDisplayInstead = true };
         var answer = await context.AskAsync(new FilePrompt(Wording.Get("ResultFile.EnterFileName"), wanted) { EnterEnds = true }).ConfigureAwait(false);
-        if (answer is Answer<string>.Value { Of: var name })
+        if (answer is Answer<string>.Value { Result: var name })
         {
-            if (!context.IsScripted) await ReplacePrompt.ConfirmAsync(context, context.FileToWrite(name), name).ConfigureAwait(false);
-            OutputFile.Write(context.FileToWrite(name), write);
-            context.Say(Wording.Get("ResultFile.Written", name));
+            if (!context.IsScripted) await ReplacePrompt.ConfirmAsync(context, context.ResolveOutputPath(name), name).ConfigureAwait(false);
+            OutputFile.Write(context.ResolveOutputPath(name), write);
+            context.WriteMessage(Wording.Get("ResultFile.Written", name));
             return name;
         }
 
-        context.SayResult(write);
+        context.WriteResult(write);
         return null;
-    }
-}
-
-/// <summary>Asks for a file to write, and again before an existing file is replaced.</summary>
-internal static class ReplacePrompt
-{
-    /// <param name="adds">The default extension is added to a name without one.</param>
-    /// <exception cref="CommandException">The operator declined.</exception>
-    public static async Task<string> AskAsync(CommandContext context, string instruction, FileWanted wanted, bool adds = false)
-    {
-        var typed = await context.ValueAsync(new FilePrompt(instruction, wanted)).ConfigureAwait(false);
-        var name = adds ? wanted.WithEnding(typed) : typed;
-        await ConfirmAsync(context, context.FileToWrite(name), name).ConfigureAwait(false);
-        return name;
-    }
-
-    /// <summary>Asks before an existing file is replaced; devices and pipes are written without a question.</summary>
-    /// <exception cref="CommandException">The operator declined.</exception>
-    public static async Task ConfirmAsync(CommandContext context, string path, string name)
-    {
-        if (File.Exists(path) && !FileKind.IsStream(path)) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ReplaceExisting", name)).ConfigureAwait(false);
     }
 }

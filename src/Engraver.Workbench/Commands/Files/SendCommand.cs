@@ -17,16 +17,16 @@ internal sealed class SendCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Send.EnterProgram"), new FileWanted("program", false)) { Default = context.Remembered(VerifyCommand.Name) }).ConfigureAwait(false);
-        var file = Read(context.FileToRead(name));
-        int? program = file.Programs.Count == 1 ? null : (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Send.EnterNumber", file.Programs.Count)) { Least = 1, Most = file.Programs.Count, Whole = true, Default = "1" }).ConfigureAwait(false);
-        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterLine")) { Default = context.Remembered(LineName) }).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Send.EnterProgram"), new FileRequest("program", false)) { Default = context.LastValue(VerifyCommand.Name) }).ConfigureAwait(false);
+        var file = Read(context.ResolveInputPath(name));
+        int? program = file.Programs.Count == 1 ? null : (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Send.EnterNumber", file.Programs.Count)) { Min = 1, Max = file.Programs.Count, IsInteger = true, Default = "1" }).ConfigureAwait(false);
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterLine")) { Default = context.LastValue(LineName) }).ConfigureAwait(false);
         if (!SendAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("Send.InvalidLine", typed, SendAddress.Forms));
         var encoded = file.Encode(program, SendFormat.Default, address.Frame);
-        if (encoded.Why is { } why) FindingMessages.Say(context, name, [why], Severity.Error);
+        if (encoded.Refusal is { } why) FindingMessages.Write(context, name, [why], Severity.Error);
         if (encoded.Job is not { } job) throw new CommandException(CommandFailure.Drawing, Wording.Get("Send.NotSent", name));
         context.Remember(LineName, typed);
-        Tell(context, await SendAsync(context, job, address, cancellation).ConfigureAwait(false), cancellation);
+        WriteResult(context, await SendAsync(context, job, address, cancellation).ConfigureAwait(false), cancellation);
     }
 
     private static async Task<SendResult> SendAsync(CommandContext context, SendJob job, SendAddress address, CancellationToken cancellation)
@@ -34,8 +34,8 @@ internal sealed class SendCommand : ICommand
         var pace = new SendPace(address.Frame, address.CharacterTime) { ObeysXoff = address.Flow == SerialFlow.XonXoff };
         try
         {
-            await using var line = ProgramLine.Open(address, pace.LongestHold, context.Time);
-            return await ProgramSender.SendAsync(line, job, pace, new Share(context.Progress), context.Time, cancellation).ConfigureAwait(false);
+            await using var line = SerialProgramPort.Open(address, pace.MaxPause, context.Time);
+            return await ProgramSender.SendAsync(line, job, pace, new SentFraction(context.Progress), context.Time, cancellation).ConfigureAwait(false);
         }
         catch (NotSupportedException unbuilt)
         {
@@ -47,17 +47,17 @@ internal sealed class SendCommand : ICommand
         }
     }
 
-    private static void Tell(CommandContext context, SendResult result, CancellationToken cancellation)
+    private static void WriteResult(CommandContext context, SendResult result, CancellationToken cancellation)
     {
         var said = SendWording.Of(result);
         if (result.Outcome is SendOutcome.Complete)
         {
-            context.Say(said);
+            context.WriteMessage(said);
             return;
         }
 
         if (result.Outcome is not SendOutcome.Stopped) throw new CommandException(CommandFailure.LinkLost, said);
-        context.Say(said, MessageKind.Warning);
+        context.WriteMessage(said, MessageKind.Warning);
         cancellation.ThrowIfCancellationRequested();
     }
 
@@ -69,12 +69,12 @@ internal sealed class SendCommand : ICommand
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new CommandException(CommandFailure.Usage, Wording.Get("Send.CannotRead", path, SystemReason.Of(unreadable)));
+            throw new CommandException(CommandFailure.Usage, Wording.Get("Send.CannotRead", path, SystemErrorText.FromException(unreadable)));
         }
     }
 
-    private sealed class Share(CommandProgress progress) : IProgress<SendProgress>
+    private sealed class SentFraction(CommandProgress progress) : IProgress<SendProgress>
     {
-        public void Report(SendProgress value) => progress.Report((double)value.Lines / value.AllLines);
+        public void Report(SendProgress value) => progress.Report((double)value.Lines / value.TotalLines);
     }
 }

@@ -17,10 +17,10 @@ internal sealed class TableCommand : ICommand
         var drawing = context.Drawing;
         var settings = context.Document.Current.Settings;
         var order = await context.ChoiceAsync(Wording.Get("Table.EnterRowOrder"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
-        var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
+        var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.LastValue("TABLE", "Text")).ConfigureAwait(false));
         context.Remember("TABLE", format);
         var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings), []) : JobPreparation.CutTableOf(drawing, settings);
-        FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
+        FindingMessages.Write(context, drawing.FileName, findings, Severity.Warning);
         await ResultFile.WriteAsync(context, "table", format == "Text" ? ".txt" : "." + format.ToLowerInvariant(), output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
     }
 }

@@ -31,63 +31,42 @@ internal sealed class VerifyCommand : ICommand
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         var (name, chosen, posted) = await AskAsync(context).ConfigureAwait(false);
         context.Remember(Name, name);
-        var file = context.FileToRead(name);
-        var (target, program) = (chosen ?? ProgramForm.Of(file) ?? s_readable[0], ReadBackFile.Open(file));
+        var file = context.ResolveInputPath(name);
+        var (target, program) = (chosen ?? ProgramFormatDetector.Of(file) ?? s_readable[0], ReadBackFile.Open(file));
         var kept = ProgramStart.Find(file);
-        if (kept.Sentence is { } unused) context.Say(unused, MessageKind.Warning);
-        posted = posted with { Start = kept.Place };
-        if (chosen is null) context.Say(Wording.Get("Verify.ReadAs", name, target.Name));
+        if (kept.Message is { } unused) context.WriteMessage(unused, MessageKind.Warning);
+        posted = posted with { Start = kept.Position };
+        if (chosen is null) context.WriteMessage(Wording.Get("Verify.ReadAs", name, target.Name));
         var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, target.Reader!, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
-        if (context.History.NoteReadBack(file, new HistoryReadBack(report.Ok, context.Time.GetUtcNow(), report.MaxDeviationMm, Certificate: null)) is { } failure) context.Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
-        FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
-        FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
-        context.Say(VerificationText.Sentence(report), MessageKind.Result);
+        if (context.History.NoteReadBack(file, new HistoryReadBack(report.Ok, context.Time.GetUtcNow(), report.MaxDeviationMm, Certificate: null)) is { } failure) context.WriteMessage(Wording.Get("History.NotKept", failure), MessageKind.Warning);
+        FindingMessages.Write(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
+        FindingMessages.Write(context, name, report.Diagnostics, Severity.Warning);
+        context.WriteMessage(VerificationText.Sentence(report), MessageKind.Result);
         if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotMatch", name));
     }
 
     /// <summary>Asks for the program, and before its name for the post parameters other than the drawing's settings.</summary>
-    private static async Task<(string Name, PostChoice? Target, PostedWith Posted)> AskAsync(CommandContext context)
+    private static async Task<(string Name, PostChoice? Target, PostParameters Posted)> AskAsync(CommandContext context)
     {
-        var (posted, target) = (PostedWith.Defaults, (PostChoice?)null);
-        var prompt = new FilePrompt(Wording.Get("Verify.EnterName"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name), Options = s_options };
+        var (posted, target) = (PostParameters.Defaults, (PostChoice?)null);
+        var prompt = new FilePrompt(Wording.Get("Verify.EnterName"), new FileRequest("program", false, PostTable.ReadableExtensions) { Suggested = context.LastValue(Name) is { } last ? Path.GetFullPath(context.ResolveInputPath(last)) : null }) { Default = context.LastValue(Name), Options = s_options };
         while (true)
         {
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
-                case Answer<string>.Value { Of: var name }: return (name, target, posted);
-                case Answer<string>.Chosen { Option: Origin }:
-                    var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("Verify.SpecifyOrigin")) { MayHaveHeight = true }).ConfigureAwait(false);
+                case Answer<string>.Value { Result: var name }: return (name, target, posted);
+                case Answer<string>.SelectedOption { Option: Origin }:
+                    var place = await context.ValueAsync(new MachinePositionPrompt(Wording.Get("Verify.SpecifyOrigin")) { AllowsZ = true }).ConfigureAwait(false);
                     posted = posted with { Origin = new ProgramOrigin(place.X, place.Y, place.Z) };
                     break;
-                case Answer<string>.Chosen { Option: Target }:
+                case Answer<string>.SelectedOption { Option: Target }:
                     var keyword = await context.ChoiceAsync(Wording.Get("Verify.EnterTarget"), s_targets, s_readable[0].Keyword).ConfigureAwait(false);
                     target = s_readable.First(choice => choice.Keyword == keyword);
                     break;
                 default:
-                    posted = posted with { BlendMm = await context.ValueAsync(new NumberPrompt(Wording.Get("Verify.SpecifyBlend")) { Least = 0.0, Most = 1.0 }).ConfigureAwait(false) };
+                    posted = posted with { BlendMm = await context.ValueAsync(new NumberPrompt(Wording.Get("Verify.SpecifyBlend")) { Min = 0.0, Max = 1.0 }).ConfigureAwait(false) };
                     break;
             }
         }
-    }
-}
-
-/// <summary>Reads a program back on another thread, and shows the command's progress.</summary>
-internal static class ReadBackProgress
-{
-    public static async Task<T> ShowAsync<T>(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<T>> read, CancellationToken cancellation)
-    {
-        try
-        {
-            return await Task.Run(() => read(new Fractions(shown)), cancellation).ConfigureAwait(false);
-        }
-        finally
-        {
-            shown.End();
-        }
-    }
-
-    private sealed class Fractions(CommandProgress shown) : IProgress<ReplayProgress>
-    {
-        public void Report(ReplayProgress value) => shown.Report(value.Fraction);
     }
 }

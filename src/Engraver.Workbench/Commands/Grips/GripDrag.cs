@@ -11,9 +11,9 @@ internal sealed class GripDrag
 {
     private readonly CommandContext _context;
     private readonly IReadOnlyList<int> _selected;
-    private readonly IReadOnlyList<Grip> _hot;
+    private readonly IReadOnlyList<Grip> _hotGrips;
     private readonly SelectionGhost _ghost;
-    private readonly JoinedSteps _steps;
+    private readonly UndoGroup _steps;
     private readonly Drawing _drawing;
 
     /// <param name="context">Context of the command.</param>
@@ -21,12 +21,12 @@ internal sealed class GripDrag
     /// <param name="hot">The dragged grips, all at one point.</param>
     public GripDrag(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Grip> hot)
     {
-        (_context, _selected, _hot, _drawing) = (context, selected, hot, context.Drawing);
-        (_ghost, _steps, Base) = (new SelectionGhost(_drawing, selected), new JoinedSteps(context), hot[0].Place);
+        (_context, _selected, _hotGrips, _drawing) = (context, selected, hot, context.Drawing);
+        (_ghost, _steps, BasePoint) = (new SelectionGhost(_drawing, selected), new UndoGroup(context), hot[0].Place);
     }
 
     /// <summary>Base point of the drag, drawing units: the grip, unless the operator chose another point.</summary>
-    public Point2D Base { get; set; }
+    public Point2D BasePoint { get; set; }
 
     /// <summary>True to edit copies and keep the objects.</summary>
     public bool IsCopying { get; set; }
@@ -35,51 +35,51 @@ internal sealed class GripDrag
     public int Count => _steps.Count;
 
     /// <summary>The edit for a point in a mode.</summary>
-    public Edit Editing(string mode, Point2D place)
+    public Edit CreateEdit(string mode, Point2D place)
     {
-        var way = place - Base;
+        var way = place - BasePoint;
         return mode switch
         {
-            "Stretch" => new Edit(null, _hot[0].Place + way),
+            "Stretch" => new Edit(null, _hotGrips[0].Place + way),
             "Move" => new Edit(Transform2D.Move(way), null),
-            "Mirror" => new Edit(place == Base ? null : Transform2D.MirrorAt(Base, place), null),
-            "Rotate" => Editing(mode, way.Direction.Positive().Degrees),
-            _ => Editing(mode, way.Length),
+            "Mirror" => new Edit(place == BasePoint ? null : Transform2D.MirrorAt(BasePoint, place), null),
+            "Rotate" => CreateEdit(mode, way.Direction.Positive().Degrees),
+            _ => CreateEdit(mode, way.Length),
         };
     }
 
     /// <summary>The edit for a typed angle (degrees) or factor.</summary>
-    public Edit Editing(string mode, double amount) =>
-        new(mode == "Rotate" ? Transform2D.Rotate(Base, Angle.FromDegrees(amount)) : amount > 0.0 ? Transform2D.ScaleFrom(Base, amount) : null, null);
+    public Edit CreateEdit(string mode, double amount) =>
+        new(mode == "Rotate" ? Transform2D.Rotate(BasePoint, Angle.FromDegrees(amount)) : amount > 0.0 ? Transform2D.ScaleFrom(BasePoint, amount) : null, null);
 
     public IReadOnlyList<Segment> Ghost(Edit edit)
     {
         if (edit.Map is { } map) return _ghost.Mapped(map);
-        return edit.To is { } to ? [.. (GripStretch.Changes(_drawing, _hot, to) ?? []).Take(SelectionGhost.Most).Select(change => change.Segment)] : [];
+        return edit.To is { } to ? [.. (GripStretch.Changes(_drawing, _hotGrips, to) ?? []).Take(SelectionGhost.MaxSegments).Select(change => change.Segment)] : [];
     }
 
     /// <returns>False if it is not possible; the reason was reported and nothing is changed.</returns>
-    public bool TryTake(Edit edit)
+    public bool TryCommit(Edit edit)
     {
         var drawing = _context.Drawing;
-        if (edit.Map is { } map) return Take(IsCopying ? DrawingChange.Copied(_context, _selected, [map], tells: Count == 0) : DrawingChange.Mapped(_context, _selected, map));
-        var (source, hot) = IsCopying ? Copied(drawing) : (drawing, _hot);
-        if (edit.To is { } to && GripStretch.Changes(source, hot, to) is { } changes) return Take(ChangedPart.Apply(source, changes));
-        _context.Say(Wording.Get("GripEdit.InvalidResult"), MessageKind.Warning);
+        if (edit.Map is { } map) return Commit(IsCopying ? DrawingChange.Copied(_context, _selected, [map], reports: Count == 0) : DrawingChange.Mapped(_context, _selected, map));
+        var (source, hot) = IsCopying ? Copied(drawing) : (drawing, _hotGrips);
+        if (edit.To is { } to && GripStretch.Changes(source, hot, to) is { } changes) return Commit(ChangedPart.Apply(source, changes));
+        _context.WriteMessage(Wording.Get("GripEdit.InvalidResult"), MessageKind.Warning);
         return false;
     }
 
     public void Undo()
     {
-        if (!_steps.Undo()) _context.Say(Wording.Get("Copy.NothingToUndo"));
+        if (!_steps.Undo()) _context.WriteMessage(Wording.Get("Copy.NothingToUndo"));
     }
 
     /// <summary>The drawing with copies of the dragged objects, and the grips of the copies.</summary>
     private (Drawing Drawing, IReadOnlyList<Grip> Hot) Copied(Drawing drawing)
     {
-        int[] held = [.. _hot.Select(grip => grip.Entity).Distinct()];
+        int[] held = [.. _hotGrips.Select(grip => grip.Entity).Distinct()];
         DrawingEdit.TryCopy(drawing, held, Transform2D.Identity, out var copied);
-        return (copied, [.. _hot.Select(Moved)]);
+        return (copied, [.. _hotGrips.Select(Moved)]);
 
         Grip Moved(Grip grip)
         {
@@ -88,9 +88,9 @@ internal sealed class GripDrag
         }
     }
 
-    private bool Take(Drawing edited)
+    private bool Commit(Drawing edited)
     {
-        _steps.Take(_context.Document.Current with { Drawing = edited, Selection = _selected, Previous = _selected });
+        _steps.Commit(_context.Document.Current with { Drawing = edited, Selection = _selected, Previous = _selected });
         return true;
     }
 

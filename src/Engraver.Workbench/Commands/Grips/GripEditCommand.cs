@@ -11,8 +11,8 @@ namespace Engraver.Workbench.Commands.Grips;
 internal sealed class GripEditCommand : ICommand
 {
     private const string Name = "GRIPEDIT";
-    private const double LeastFactor = 1e-6;
-    private const double Largest = 1e6;
+    private const double MinFactor = 1e-6;
+    private const double MaxFactor = 1e6;
     private static readonly IReadOnlyList<string> s_modes = ["Stretch", "Move", "Rotate", "Scale", "Mirror"];
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Drawing);
@@ -20,10 +20,10 @@ internal sealed class GripEditCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, selected) = (context.Drawing, ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));
-        if (!ObjectGrips.Find(drawing, selected).Any()) throw new CommandException(CommandFailure.Usage, Wording.Get("GripEdit.NothingSelected", ObjectGrips.MostObjects));
-        var at = await context.ValueAsync(new PointPrompt(Wording.Get("GripEdit.SpecifyGrip")) { Use = PointUse.Object }).ConfigureAwait(false);
-        var hot = ObjectGrips.At(drawing, selected, at, ObjectSelection.Reach(context));
-        if (hot.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("GripEdit.NoGrip", context.Figures.Place(at)));
+        if (!ObjectGrips.Find(drawing, selected).Any()) throw new CommandException(CommandFailure.Usage, Wording.Get("GripEdit.NothingSelected", ObjectGrips.MaxObjects));
+        var at = await context.ValueAsync(new PointPrompt(Wording.Get("GripEdit.SpecifyGrip")) { Purpose = PointPurpose.Object }).ConfigureAwait(false);
+        var hot = ObjectGrips.At(drawing, selected, at, ObjectSelection.PickRadius(context));
+        if (hot.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("GripEdit.NoGrip", context.Precision.FormatPoint(at)));
         await DragAsync(context, new GripDrag(context, selected, hot)).ConfigureAwait(false);
     }
 
@@ -33,7 +33,7 @@ internal sealed class GripEditCommand : ICommand
         for (var mode = 0; ;)
         {
             var (edit, option) = await AskAsync(context, drag, s_modes[mode]).ConfigureAwait(false);
-            if (edit is { } wanted && drag.TryTake(wanted) && !drag.IsCopying) return;
+            if (edit is { } wanted && drag.TryCommit(wanted) && !drag.IsCopying) return;
             switch (option)
             {
                 case "eXit":
@@ -41,10 +41,10 @@ internal sealed class GripEditCommand : ICommand
                     return;
                 case "":
                     mode = (mode + 1) % s_modes.Count;
-                    context.Say(Wording.Get("GripEdit.Mode", s_modes[mode].ToUpperInvariant()));
+                    context.WriteMessage(Wording.Get("GripEdit.Mode", s_modes[mode].ToUpperInvariant()));
                     break;
                 case "Base":
-                    drag.Base = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
+                    drag.BasePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
                     break;
                 case "Copy":
                     drag.IsCopying = true;
@@ -65,17 +65,17 @@ internal sealed class GripEditCommand : ICommand
             var isTurn = mode == "Rotate";
             var amount = new AmountPrompt(instruction, way => isTurn ? way.Direction.Positive().Degrees : way.Length)
             {
-                Least = isTurn ? -Largest : LeastFactor, Most = Largest, From = drag.Base, Options = options, EnterEnds = true, Ghost = place => drag.Ghost(drag.Editing(mode, place)),
+                Min = isTurn ? -MaxFactor : MinFactor, Max = MaxFactor, From = drag.BasePoint, Options = options, EnterEnds = true, Ghost = place => drag.Ghost(drag.CreateEdit(mode, place)),
             };
             var answer = await context.AskAsync(amount).ConfigureAwait(false);
-            return answer is Answer<Amount>.Value { Of: Amount.Number { Of: var number } } ? (drag.Editing(mode, number), null) : (null, answer is Answer<Amount>.Chosen { Option: var chosen } ? chosen : "");
+            return answer is Answer<Amount>.Value { Result: Amount.Number { Value: var number } } ? (drag.CreateEdit(mode, number), null) : (null, answer is Answer<Amount>.SelectedOption { Option: var chosen } ? chosen : "");
         }
 
-        var prompt = new PointPrompt(instruction) { From = drag.Base, Options = options, EnterEnds = true, Ghost = place => drag.Ghost(drag.Editing(mode, place)) };
+        var prompt = new PointPrompt(instruction) { From = drag.BasePoint, Options = options, EnterEnds = true, Ghost = place => drag.Ghost(drag.CreateEdit(mode, place)) };
         return await context.AskAsync(prompt).ConfigureAwait(false) switch
         {
-            Answer<Point2D>.Value { Of: var place } => (drag.Editing(mode, place), null),
-            Answer<Point2D>.Chosen { Option: var option } => (null, option),
+            Answer<Point2D>.Value { Result: var place } => (drag.CreateEdit(mode, place), null),
+            Answer<Point2D>.SelectedOption { Option: var option } => (null, option),
             _ => (null, ""),
         };
     }

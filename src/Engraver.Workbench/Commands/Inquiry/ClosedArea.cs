@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.Inquiry;
 internal static class ClosedArea
 {
     /// <summary>Number of chords that approximate an ellipse or a spline.</summary>
-    private const int StepsOfCurve = 4096;
+    private const int CurveSteps = 4096;
 
     /// <returns>Never negative; a self-intersecting outline counts each part by its winding number.</returns>
     public static double Measure(IReadOnlyList<Segment> segments)
@@ -32,9 +32,9 @@ internal static class ClosedArea
     private static double Stepped(in Segment segment, Point2D about)
     {
         var (twice, from) = (0.0, segment.Start);
-        for (var step = 1; step <= StepsOfCurve; step++)
+        for (var step = 1; step <= CurveSteps; step++)
         {
-            var to = segment.PointAt((double)step / StepsOfCurve);
+            var to = segment.PointAt((double)step / CurveSteps);
             twice += Chord(from, to, about);
             from = to;
         }

@@ -18,32 +18,32 @@ internal sealed class CncArmCommand : ICommand
         _ = context.Drawing;
         if (await ModeAsync(context).ConfigureAwait(false) is not { } mode)
         {
-            context.Say(context.Machine.Arming.Disarm() ? Wording.Get("CncArm.Disarmed") : Wording.Get("CncArm.NothingArmed"));
+            context.WriteMessage(context.Machine.Arming.Disarm() ? Wording.Get("CncArm.Disarmed") : Wording.Get("CncArm.NothingArmed"));
             return;
         }
 
-        var job = mode.RunsTrajectories ? JobStart.Followed(context, mode.Strategy) : await JobAsync(context, mode.Strategy, cancellation).ConfigureAwait(false);
-        JobStart.SayPart(context, job, mode.Strategy);
+        var job = mode.RunsTrajectories ? JobStart.PrepareTrajectories(context, mode.Strategy) : await JobAsync(context, mode.Strategy, cancellation).ConfigureAwait(false);
+        JobStart.WritePart(context, job, mode.Strategy);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.Origins.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.Connection.FitToLink(certified, mode.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var certificate = job.Motion.Program is { } certified ? await CertificateStatusAsync(context, job, context.Machine.Connection.FitToLink(certified, mode.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
-        foreach (var check in checklist.Checks) CheckText.Say(context, check);
+        foreach (var check in checklist.Checks) ArmingCheckText.Write(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Runs.Arm(job, mode.Strategy, mode.DryRun, checklist);
-        context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Strategy.Keyword));
+        context.WriteMessage(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Strategy.Keyword));
     }
 
     /// <summary>The certificate status of the job; for the document's job the displayed status is updated too.</summary>
-    private static Task<CertificateStanding> StandingAsync(CommandContext context, PreparedJob job, MotionProgram program, CancellationToken cancellation) =>
-        ReferenceEquals(job, context.Derivation.Current.Job) ? context.Certificates.LookAsync(job, program, cancellation) : Task.Run(() => CertificateStanding.OfRun(job, program), cancellation);
+    private static Task<CertificateStatus> CertificateStatusAsync(CommandContext context, PreparedJob job, MotionProgram program, CancellationToken cancellation) =>
+        ReferenceEquals(job, context.Derivation.Current.Job) ? context.Certificates.CheckAsync(job, program, cancellation) : Task.Run(() => CertificateStatus.OfRun(job, program), cancellation);
 
     /// <returns>Null: the operator chose to disarm.</returns>
     private static async Task<(ExecutionStrategy Strategy, bool DryRun, bool RunsTrajectories)?> ModeAsync(CommandContext context)
     {
         var (driver, dryRun, runsTrajectories) = (context.Driver, false, false);
-        var remembered = driver.Strategies.FirstOrDefault(strategy => strategy.Keyword == context.Remembered("CNCARM")) ?? driver.DefaultStrategy;
+        var remembered = driver.Strategies.FirstOrDefault(strategy => strategy.Keyword == context.LastValue("CNCARM")) ?? driver.DefaultStrategy;
         var answers = Keyword.List([.. driver.Strategies.Select(strategy => strategy.Keyword), "Dryrun", "Trajectories", "oFf"]);
         while (true)
         {
@@ -67,11 +67,4 @@ internal sealed class CncArmCommand : ICommand
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, strategy.Style, cancellation), cancellation).ConfigureAwait(false);
     }
-}
-
-/// <summary>Writes the start checks line by line.</summary>
-internal static class CheckText
-{
-    public static void Say(CommandContext context, ArmingCheck check) =>
-        context.Say(check.Line, check switch { { IsWarning: true } => MessageKind.Warning, { Passed: true } => MessageKind.Result, _ => MessageKind.Error });
 }

@@ -14,26 +14,13 @@ internal sealed class CncConnectCommand : ICommand
         if (!context.Families.TryParseAddress(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncConnect.NotAnAddress", typed));
         try
         {
-            var identity = await context.Machine.Connection.ConnectAsync(address is SimulatedAddress { SaysSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
+            var identity = await context.Machine.Connection.ConnectAsync(address is SimulatedAddress { HasExplicitSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
             context.Settings.Change(settings => settings with { LastAddress = typed });
-            context.Say(Wording.Get("CncConnect.Connected", identity.Model, context.Machine.Connection.Description));
+            context.WriteMessage(Wording.Get("CncConnect.Connected", identity.Model, context.Machine.Connection.Description));
         }
         catch (NotSupportedException unbuilt)
         {
             throw new CommandException(CommandFailure.Usage, unbuilt.Message);
         }
-    }
-}
-
-/// <summary>CNCDISCONNECT: Closes the connection to the controller.</summary>
-internal sealed class CncDisconnectCommand : ICommand
-{
-    public CommandInfo Info { get; } = new("CNCDISCONNECT", CommandGroup.Machine);
-
-    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
-    {
-        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
-        await context.Machine.Connection.DisconnectAsync().ConfigureAwait(false);
-        context.Say(Wording.Get("CncConnect.Disconnected"));
     }
 }

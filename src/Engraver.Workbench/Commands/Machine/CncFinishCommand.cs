@@ -15,6 +15,6 @@ internal sealed class CncFinishCommand : ICommand
         var settings = context.Document.Current.Settings;
         var chosen = SettingTable.Finish.ParseInput(await context.ChoiceAsync(Wording.Get("CncFinish.EnterPosition"), Keyword.List([.. SettingTable.Finish.Choices]), SettingTable.Finish.ToInput(settings)).ConfigureAwait(false));
         if (chosen == FinishPlace.Park && settings.Machine.Park is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition"));
-        context.Take(context.Document.Current with { Settings = settings with { Finish = chosen } });
+        context.Commit(context.Document.Current with { Settings = settings with { Finish = chosen } });
     }
 }

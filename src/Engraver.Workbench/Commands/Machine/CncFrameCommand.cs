@@ -17,18 +17,18 @@ internal sealed class CncFrameCommand : ICommand
     {
         if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
+        if (context.RequiresManualStart) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
         if (context.IsScripted && !context.Machine.Connection.IsSimulation && context.Machine.Arming.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFrame.ScriptNeedsArming", machine));
-        var shape = Enum.Parse<FrameShape>(await context.ChoiceAsync(Wording.Get("CncFrame.EnterShape"), s_shapes, context.Remembered("CNCFRAME", nameof(FrameShape.Rectangle))).ConfigureAwait(false));
+        var shape = Enum.Parse<FrameShape>(await context.ChoiceAsync(Wording.Get("CncFrame.EnterShape"), s_shapes, context.LastValue("CNCFRAME", nameof(FrameShape.Rectangle))).ConfigureAwait(false));
         context.Remember("CNCFRAME", shape.ToString());
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOff"));
         var job = await JobStart.PrepareAsync(context, context.Driver.DefaultStrategy).ConfigureAwait(false);
-        var frame = JobFrame.Of(job, shape) ?? throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
+        var frame = JobFrame.Of(job, shape) ?? throw new CommandException(CommandFailure.Drawing, $"{job.NoProgramReason}.");
         var result = await context.Machine.Runs.FrameAsync(frame, context.NewRunJournal("frame"), cancellation).ConfigureAwait(false);
-        FindingMessages.Say(context, job.Drawing.FileName, result.Diagnostics, Severity.Warning);
-        foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
-        if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.WorkOriginUnknown") : result.Sentence);
+        FindingMessages.Write(context, job.Drawing.FileName, result.Diagnostics, Severity.Warning);
+        foreach (var left in result.NotRestored) context.WriteMessage(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
+        if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.WorkOriginUnknown") : result.Message);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
-        context.Say(Wording.Get("CncFrame.Done"), MessageKind.Result);
+        context.WriteMessage(Wording.Get("CncFrame.Done"), MessageKind.Result);
     }
 }

@@ -16,9 +16,9 @@ internal sealed class CncGoToCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        HandMotion.Check(context);
-        var answer = await context.AskAsync(new MachinePlacePrompt(Wording.Get("CncGoTo.SpecifyMachinePosition")) { Options = s_options }).ConfigureAwait(false);
-        if (answer is Answer<MachinePlace>.Chosen { Option: "Clearance" })
+        ManualMotion.ThrowIfNotReady(context);
+        var answer = await context.AskAsync(new MachinePositionPrompt(Wording.Get("CncGoTo.SpecifyMachinePosition")) { Options = s_options }).ConfigureAwait(false);
+        if (answer is Answer<TypedMachinePosition>.SelectedOption { Option: "Clearance" })
         {
             await ClearAsync(context, cancellation).ConfigureAwait(false);
             return;
@@ -27,12 +27,12 @@ internal sealed class CncGoToCommand : ICommand
         var scale = context.Machine.Profile.Scale;
         var goal = answer switch
         {
-            Answer<MachinePlace>.Value { Of: var place } => HandPlace.OfMachine(new Point2D(place.X, place.Y), scale),
-            Answer<MachinePlace>.Chosen { Option: "Work" } => await OfDrawingAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyDrawingPoint"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
-            Answer<MachinePlace>.Chosen { Option: "Park" } => HandPlace.OfMachine(context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")), scale),
+            Answer<TypedMachinePosition>.Value { Result: var place } => HandTarget.OfMachine(new Point2D(place.X, place.Y), scale),
+            Answer<TypedMachinePosition>.SelectedOption { Option: "Work" } => await OfDrawingAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyDrawingPoint"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
+            Answer<TypedMachinePosition>.SelectedOption { Option: "Park" } => HandTarget.OfMachine(context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")), scale),
             _ => await OfDrawingAsync(context, context.Document.Current.Settings.Start, cancellation).ConfigureAwait(false),
         };
-        await HandMotion.GoAsync(context, goal, cancellation).ConfigureAwait(false);
+        await ManualMotion.MoveToAsync(context, goal, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Raises the tool axis to the clearance height above the work; X and Y do not move.</summary>
@@ -41,13 +41,13 @@ internal sealed class CncGoToCommand : ICommand
     {
         if (context.Machine.Profile.Height is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoClearance"));
         var zero = await ZeroAsync(context, cancellation).ConfigureAwait(false);
-        await HandMotion.ToClearanceAsync(context, zero, cancellation).ConfigureAwait(false);
+        await ManualMotion.ToClearanceAsync(context, zero, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>A point of the drawing in machine counts by the active work origin; null outside the counter range.</summary>
     /// <exception cref="CommandException">The work origin is unknown.</exception>
     private static async Task<CountsPoint?> OfDrawingAsync(CommandContext context, Point2D drawing, CancellationToken cancellation) =>
-        HandPlace.OfDrawing(drawing, await ZeroAsync(context, cancellation).ConfigureAwait(false), context.Machine.Profile.Scale);
+        HandTarget.OfDrawing(drawing, await ZeroAsync(context, cancellation).ConfigureAwait(false), context.Machine.Profile.Scale);
 
     /// <summary>The drawing's zero by the active work origin, counts; queries the controller whether its zero is unchanged since the origin was set.</summary>
     /// <exception cref="CommandException">The origin is not set, or the controller's zero is lost.</exception>

@@ -11,7 +11,7 @@ internal sealed class CncMotorsCommand : ICommand
     {
         if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
-        if (await context.Machine.Hand.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
-        context.Say(Wording.Get("CncMotors.Motors", mode.ToLowerInvariant()));
+        if (await context.Machine.Hand.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Message);
+        context.WriteMessage(Wording.Get("CncMotors.Motors", mode.ToLowerInvariant()));
     }
 }

@@ -11,7 +11,7 @@ internal sealed class CncOutputCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        HandMotion.Check(context);
+        ManualMotion.ThrowIfNotReady(context);
         var profile = context.Machine.Profile;
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncOutput.EnterOutput"))).ConfigureAwait(false);
         var most = context.Driver.Limits.Outputs;
@@ -20,11 +20,11 @@ internal sealed class CncOutputCommand : ICommand
         if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.ToolOutput" : "CncOutput.ToolOutputActiveLow", output));
         var begins = profile.IsOnAt(output, on);
         if (begins && !await context.ConfirmAsync(Wording.Get(on ? "CncOutput.ConfirmOn" : "CncOutput.ConfirmOff", profile.Outputs[output])).ConfigureAwait(false)) return;
-        if (await context.Machine.Hand.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
-        context.Say(Told(profile.Outputs[output], on, begins), MessageKind.Result);
+        if (await context.Machine.Hand.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Message);
+        context.WriteMessage(StateText(profile.Outputs[output], on, begins), MessageKind.Result);
     }
 
-    private static string Told(string name, bool on, bool begins) => (on, begins) switch
+    private static string StateText(string name, bool on, bool begins) => (on, begins) switch
     {
         (true, true) => Wording.Get("CncOutput.IsOn", name),
         (true, false) => Wording.Get("CncOutput.IsOnActiveLow", name),

@@ -11,10 +11,10 @@ internal sealed class CncProfileCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new FilePrompt(Wording.Get("CncProfile.EnterName"), new FileWanted("profile", false, ".json"))).ConfigureAwait(false);
-        var profile = MachineProfileSource.Load(context.FileToRead(name), context.Families, finding => FindingMessages.Say(context, name, [finding], Severity.Warning));
-        context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(context.FileToRead(name)) });
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("CncProfile.EnterName"), new FileRequest("profile", false, ".json"))).ConfigureAwait(false);
+        var profile = MachineProfileSource.Load(context.ResolveInputPath(name), context.Families, finding => FindingMessages.Write(context, name, [finding], Severity.Warning));
+        context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(context.ResolveInputPath(name)) });
         var state = context.Document.Current;
-        context.Take(state with { Settings = state.Settings with { Machine = profile } });
+        context.Commit(state with { Settings = state.Settings with { Machine = profile } });
     }
 }

@@ -15,7 +15,7 @@ internal sealed class CncRunCommand : ICommand
     {
         if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
+        if (context.RequiresManualStart) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
         if (context.Machine.Arming.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Strategy, armed.DryRun, cancellation).ConfigureAwait(false);
@@ -29,7 +29,7 @@ internal sealed class CncRunCommand : ICommand
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, strategy, runsTrajectories).ConfigureAwait(false);
-            JobStart.SayPart(context, job, strategy);
+            JobStart.WritePart(context, job, strategy);
             var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncRun.StartDryRun" : "CncRun.StartCutting", machine, strategy.Keyword), answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
@@ -46,21 +46,8 @@ internal sealed class CncRunCommand : ICommand
     private static async Task RunAsync(CommandContext context, PreparedJob job, ExecutionStrategy strategy, bool dryRun, CancellationToken cancellation)
     {
         var fit = context.Machine.Connection.FitToLink(job.Motion.Program!, strategy, job.Drawing);
-        FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
+        FindingMessages.Write(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
         var checks = context.Machine.Arming.Armed?.Checklist;
         await JobStart.RunAsync(context, job, checks, options => context.Machine.Runs.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, strategy, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
-    }
-}
-
-/// <summary>CNCSIM: Runs the drawing on a simulated controller and reports how well it was cut; no machine moves.</summary>
-internal sealed class CncSimCommand : ICommand
-{
-    public CommandInfo Info { get; } = new("CNCSIM", CommandGroup.Machine);
-
-    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
-    {
-        var strategy = context.Driver.DefaultStrategy;
-        var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.Runs.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, strategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

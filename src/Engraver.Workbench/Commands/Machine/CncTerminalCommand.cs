@@ -15,7 +15,7 @@ internal sealed class CncTerminalCommand : ICommand
         foreach (var answer in await context.Machine.Connection.Terminal.TypeAsync(line, cancellation).ConfigureAwait(false))
         {
             if (answer.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld) throw new CommandException(CommandFailure.Refused, answer.Text);
-            context.Say(answer.Text, MessageKind.Result);
+            context.WriteMessage(answer.Text, MessageKind.Result);
         }
     }
 }

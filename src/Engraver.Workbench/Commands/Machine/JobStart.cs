@@ -23,9 +23,9 @@ internal static class JobStart
     /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
     public static async Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy, bool runsTrajectories)
     {
-        var job = runsTrajectories ? Followed(context, strategy) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, strategy.Style);
-        FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
-        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
+        var job = runsTrajectories ? PrepareTrajectories(context, strategy) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, strategy.Style);
+        FindingMessages.Write(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
+        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.NoProgramReason}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         if (hasErrors && !await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("JobStart.DrawingHasErrors"));
         return job;
@@ -33,10 +33,10 @@ internal static class JobStart
 
     /// <summary>The trajectories of the document as a job; reports their number and error bound.</summary>
     /// <exception cref="CommandException">There are none.</exception>
-    public static PreparedJob Followed(CommandContext context, ExecutionStrategy strategy)
+    public static PreparedJob PrepareTrajectories(CommandContext context, ExecutionStrategy strategy)
     {
-        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), strategy.Style);
-        context.Say(Wording.Get("JobStart.Trajectories", CountText.Format(followed.Trajectories.Count, "Trajectory"), Figures.Bound(followed.Bound)));
+        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectorySelection.All(context), strategy.Style);
+        context.WriteMessage(Wording.Get("JobStart.Trajectories", CountText.Format(followed.Trajectories.Count, "Trajectory"), DisplayPrecision.FormatErrorBound(followed.Bound)));
         return followed.Job;
     }
 
@@ -46,8 +46,8 @@ internal static class JobStart
             Finish = job.Settings.Finish,
             JournalPath = context.NewRunJournal(job.Drawing.FileName),
             DryRun = dryRun,
-            Resume = job.Followed is null ? context.Machine.Runs.Part?.Request : null,
-            Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
+            Resume = job.Trajectories is null ? context.Machine.Runs.Part?.Request : null,
+            FindingReported = finding => FindingMessages.Write(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
 
     /// <summary>Runs a job, adds it to the history and reports the result.</summary>
@@ -57,16 +57,16 @@ internal static class JobStart
     /// <exception cref="ControllerException">The link could not be established.</exception>
     public static async Task RunAsync(CommandContext context, PreparedJob job, ArmingChecklist? checks, Func<Func<MachineRunOptions, MachineRunOptions>, Task<MachineRunReport>> run, bool simulated)
     {
-        var (begun, taken, open) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(OpenJob));
+        var (begun, taken, open) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(PendingRun));
         try
         {
             var report = await run(options =>
             {
-                open = context.Begin(HistoryEntry.OfBegun(job, options, begun, simulated));
+                open = context.BeginRun(HistoryEntry.OfStarted(job, options, begun, simulated));
                 return taken = options;
             }).ConfigureAwait(false);
             open?.End(HistoryEntry.OfRun(job, taken!, report, begun, simulated, checks));
-            Conclude(context, job, report);
+            ReportResult(context, job, report);
         }
         catch (ControllerException lost) when (open is not null)
         {
@@ -75,7 +75,7 @@ internal static class JobStart
         }
         catch (OperationCanceledException)
         {
-            context.Say(Wording.Get("JobStart.StoppedBeforeMotion"), MessageKind.Warning); // A job that has moved ends with a report.
+            context.WriteMessage(Wording.Get("JobStart.StoppedBeforeMotion"), MessageKind.Warning); // A job that has moved ends with a report.
             throw;
         }
         finally
@@ -86,36 +86,36 @@ internal static class JobStart
 
     /// <summary>Reports the result of the job.</summary>
     /// <exception cref="CommandException">The job did not complete.</exception>
-    public static void Conclude(CommandContext context, PreparedJob job, MachineRunReport report)
+    public static void ReportResult(CommandContext context, PreparedJob job, MachineRunReport report)
     {
         if (report.ResumeRefusal is { } unresumed)
         {
-            FindingMessages.Say(context, job.Drawing.FileName, [unresumed], Severity.Error);
+            FindingMessages.Write(context, job.Drawing.FileName, [unresumed], Severity.Error);
             throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotResumed"));
         }
 
         if (report.Placement?.Refusal is { } unplaced)
         {
-            FindingMessages.Say(context, job.Drawing.FileName, [unplaced], Severity.Error);
+            FindingMessages.Write(context, job.Drawing.FileName, [unplaced], Severity.Error);
             throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.WorkOriginUnknown"));
         }
 
-        context.Say(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);
-        foreach (var left in report.Result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
+        context.WriteMessage(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);
+        foreach (var left in report.Result.NotRestored) context.WriteMessage(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 
     /// <summary>Reports which part will be cut if it is not the whole drawing.</summary>
     /// <exception cref="CommandException">It was started with another strategy.</exception>
-    public static void SayPart(CommandContext context, PreparedJob job, ExecutionStrategy strategy)
+    public static void WritePart(CommandContext context, PreparedJob job, ExecutionStrategy strategy)
     {
-        if (context.Machine.Runs.Part is not { } part || job.Followed is not null || job.Motion.Program is not { } program) return;
+        if (context.Machine.Runs.Part is not { } part || job.Trajectories is not null || job.Motion.Program is not { } program) return;
         if (part.Strategy is { } begun && begun != strategy) throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.PartOtherMode", begun.Keyword, strategy.Keyword));
-        var place = part.Request.Journal is null ? JobBeginning.ToStroke(program, part.Request.Stroke) : part.Shown;
-        context.Say(Wording.Get("JobStart.Part", place.Segments, program.SegmentCount), MessageKind.Warning);
+        var place = part.Request.Journal is null ? ResumePoint.ToStroke(program, part.Request.Stroke) : part.Shown;
+        context.WriteMessage(Wording.Get("JobStart.Part", place.Segments, program.SegmentCount), MessageKind.Warning);
     }
 
     /// <summary>The failure of a job that did not complete.</summary>
     public static CommandException Failure(JobResult result) =>
-        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost }, result.Sentence);
+        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost }, result.Message);
 }

@@ -13,11 +13,11 @@ internal sealed class SaceSimulateCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), context.Driver.DefaultStrategy.Style);
+        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectorySelection.All(context), context.Driver.DefaultStrategy.Style);
         var job = followed.Job;
-        FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
-        if (job.Motion.Program is not { SegmentCount: > 0 } program) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
+        FindingMessages.Write(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
+        if (job.Motion.Program is not { SegmentCount: > 0 } program) throw new CommandException(CommandFailure.Drawing, $"{job.NoProgramReason}.");
         await JobStart.RunAsync(context, job, checks: null, options => context.Machine.Runs.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, context.Driver.DefaultStrategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
-        context.Say(Wording.Get("Trajectories.Simulated", Figures.Bound(followed.Bound)), MessageKind.Result);
+        context.WriteMessage(Wording.Get("Trajectories.Simulated", DisplayPrecision.FormatErrorBound(followed.Bound)), MessageKind.Result);
     }
 }

@@ -12,7 +12,7 @@ internal static class TouchedZero
 {
     private const string Radius = "CNCZERO.Radius";
     private const string Edge = "CNCZERO.Edge";
-    private const double LargestRadiusMm = 100.0;
+    private const double MaxRadiusMm = 100.0;
 
     private static readonly IReadOnlyList<Keyword> s_edges = Keyword.List([.. Enum.GetNames<WorkEdge>()]);
     private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y");
@@ -21,14 +21,14 @@ internal static class TouchedZero
     /// <summary>The tool touches an edge: the zero is on the edge, one tool radius away.</summary>
     public static async Task ByEdgeAsync(CommandContext context, CancellationToken cancellation)
     {
-        var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.EnterEdge"), s_edges, context.Remembered(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
-        var radius = await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyToolRadius")) { Default = context.Remembered(Radius, "0"), Least = 0.0, Most = LargestRadiusMm }).ConfigureAwait(false);
+        var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.EnterEdge"), s_edges, context.LastValue(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
+        var radius = await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyToolRadius")) { Default = context.LastValue(Radius, "0"), Min = 0.0, Max = MaxRadiusMm }).ConfigureAwait(false);
         var isX = edge is WorkEdge.Left or WorkEdge.Right;
-        if (!await MaySetAsync(context, isX, !isX).ConfigureAwait(false)) return;
+        if (!await ConfirmSetAsync(context, isX, !isX).ConfigureAwait(false)) return;
         context.Remember(Radius, radius.ToString("R", CultureInfo.InvariantCulture));
         await SetAsync(context, new ZeroTouch { X = isX, Y = !isX, Edge = edge, Radius = radius }, cancellation).ConfigureAwait(false);
         context.Remember(Edge, isX ? nameof(WorkEdge.Bottom) : nameof(WorkEdge.Left));
-        context.Say(Wording.Get(isX ? "CncZero.TouchBottomNext" : "CncZero.TouchLeftOrRightNext"));
+        context.WriteMessage(Wording.Get(isX ? "CncZero.TouchBottomNext" : "CncZero.TouchLeftOrRightNext"));
     }
 
     /// <summary>The first touch is remembered; the second sets the zero to the centre of both.</summary>
@@ -39,17 +39,17 @@ internal static class TouchedZero
         if (!isSecond || context.Machine.Origins.FirstTouch is not { } first)
         {
             var at = await context.Machine.Origins.TouchAsync(cancellation).ConfigureAwait(false);
-            context.Say(Wording.Get("CncZero.FirstTouch", Show(context, at)), MessageKind.Result);
+            context.WriteMessage(Wording.Get("CncZero.FirstTouch", Show(context, at)), MessageKind.Result);
             return;
         }
 
         var axes = await context.ChoiceAsync(Wording.Get("CncZero.EnterCentreAxes"), s_axes, "All").ConfigureAwait(false);
-        if (!await MaySetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
+        if (!await ConfirmSetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
         await SetAsync(context, new ZeroTouch { X = axes != "Y", Y = axes != "X", First = first }, cancellation).ConfigureAwait(false);
         context.Machine.Origins.ForgetTouch();
     }
 
-    private static async Task<bool> MaySetAsync(CommandContext context, bool x, bool y)
+    private static async Task<bool> ConfirmSetAsync(CommandContext context, bool x, bool y)
     {
         var memory = context.Machine.Connection.Lease!.Memory;
         var isSet = memory.ActiveOrigin is { IsAssumed: false } origin && ((x && origin.X is not null) || (y && origin.Y is not null));
@@ -60,12 +60,12 @@ internal static class TouchedZero
     {
         var part = context.Machine.Runs.Part;
         await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
-        OriginText.TellPart(context, part);
+        OriginText.WarnResumeDropped(context, part);
     }
 
     private static string Show(CommandContext context, CountsPoint at)
     {
         var scale = context.Machine.Profile.Scale;
-        return PointPrompt.Show(scale.ToMillimetres(at.X, at.Y));
+        return PointPrompt.Format(scale.ToMillimetres(at.X, at.Y));
     }
 }

@@ -9,13 +9,13 @@ internal sealed class ChPropCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
-        var (drawing, figures) = (context.Drawing, context.Figures);
+        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var (drawing, figures) = (context.Drawing, context.Precision);
         var values = ObjectProperties.Of(drawing, selected, figures).Where(value => value.IsEditable).ToList();
         var name = await context.ChoiceAsync(Wording.Get("ChProp.EnterProperty"), Keyword.List([.. values.Select(value => value.Property.Name)]), null).ConfigureAwait(false);
         var (property, shown, _, _) = values.First(value => value.Property.Name == name);
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("ChProp.EnterValue", property.Title, shown))).ConfigureAwait(false);
         var edited = PropertyEdit.Apply(drawing, selected, property, typed, figures);
-        context.Take(context.Document.Current with { Drawing = edited, Previous = selected });
+        context.Commit(context.Document.Current with { Drawing = edited, Previous = selected });
     }
 }

@@ -12,7 +12,7 @@ namespace Engraver.Workbench.Commands.Properties;
 public static class ObjectProperties
 {
     /// <summary>Maximum number of objects of which all properties are compared; of more only the general ones.</summary>
-    private const int MostMeasured = 5_000;
+    private const int MaxMeasured = 5_000;
 
     /// <summary>AutoCAD's text for differing values.</summary>
     public const string Varies = "*VARIES*";
@@ -41,29 +41,29 @@ public static class ObjectProperties
         new("Vertices", false) { Read = (facts, _) => facts.IsPolyline ? (facts.Segments.Count + (facts.Entity.Closed ? 0 : 1)).ToString(CultureInfo.InvariantCulture) : null },
         ObjectProperty.Length("Length", facts => facts.Circle is null ? facts.Length : null),
         ObjectProperty.Length("CircumFerence", facts => facts.Circle is null ? null : facts.Length) with { Change = (facts, length) => PropertyEdit.WithRadius(facts, length / (2.0 * Math.PI)) },
-        new("Area", false) { Read = (facts, figures) => facts.Line is null && facts.Segments.Count > 0 ? figures.Area(ClosedArea.Measure(facts.Segments)) : null },
+        new("Area", false) { Read = (facts, figures) => facts.Line is null && facts.Segments.Count > 0 ? figures.FormatArea(ClosedArea.Measure(facts.Segments)) : null },
         new("CLosed", false)
         {
-            Read = (facts, _) => PolylineClosing.Word(facts.IsPolyline ? facts.Entity.Closed : facts.IsClosed),
-            Closed = PolylineClosing.IsWanted,
+            Read = (facts, _) => ClosedProperty.Format(facts.IsPolyline ? facts.Entity.Closed : facts.IsClosed),
+            Closed = ClosedProperty.Parse,
             Allows = facts => facts.IsPolyline,
-            Choices = _ => [PolylineClosing.Word(true), PolylineClosing.Word(false)],
+            Choices = _ => [ClosedProperty.Format(true), ClosedProperty.Format(false)],
         },
     ];
 
     /// <summary>The common properties of some objects with their common values. A property that one object lacks is omitted.</summary>
-    public static IReadOnlyList<PropertyValue> Of(Drawing drawing, IReadOnlyList<int> objects, Figures figures)
+    public static IReadOnlyList<PropertyValue> Of(Drawing drawing, IReadOnlyList<int> objects, DisplayPrecision figures)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(objects);
-        var measured = All.Where(property => property.IsGeneral || objects.Count <= MostMeasured).ToArray();
+        var measured = All.Where(property => property.IsGeneral || objects.Count <= MaxMeasured).ToArray();
         var (values, editable) = (new string?[measured.Length], new bool[measured.Length]);
         for (var at = 0; at < objects.Count; at++)
         {
             var facts = new ObjectFacts(drawing, objects[at]);
             for (var i = 0; i < measured.Length; i++)
             {
-                values[i] = Together(values[i], measured[i], facts, figures, isFirst: at == 0);
+                values[i] = Combine(values[i], measured[i], facts, figures, isFirst: at == 0);
                 editable[i] = (at == 0 ? measured[i].IsEditable : editable[i]) && measured[i].Allows(facts);
             }
         }
@@ -72,7 +72,7 @@ public static class ObjectProperties
     }
 
     /// <summary>Null if one object lacks the property.</summary>
-    private static string? Together(string? before, ObjectProperty property, ObjectFacts facts, Figures figures, bool isFirst)
+    private static string? Combine(string? before, ObjectProperty property, ObjectFacts facts, DisplayPrecision figures, bool isFirst)
     {
         if (!isFirst && (before is null || (before == Varies && property.IsGeneral))) return before;
         var value = property.Read(facts, figures);
@@ -83,8 +83,3 @@ public static class ObjectProperties
 
     private static Point2D? Centre(ObjectFacts facts) => facts.Round?.Centre ?? (facts.Segments.Count == 1 ? ObjectGrips.CentreOf(facts.Segments[0]) : null);
 }
-
-/// <summary>A property and the common value of the selected objects, or <see cref="ObjectProperties.Varies"/>.</summary>
-/// <param name="IsEditable">It can be changed for all of them.</param>
-/// <param name="Exists">All of them have it.</param>
-public sealed record PropertyValue(ObjectProperty Property, string Value, bool IsEditable, bool Exists = true);

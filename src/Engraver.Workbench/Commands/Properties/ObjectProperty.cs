@@ -19,7 +19,7 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
     public Func<Drawing, IReadOnlyList<string>> Choices { get; init; } = _ => [];
 
     /// <summary>The displayed value; null if the object lacks the property.</summary>
-    internal Func<ObjectFacts, Figures, string?> Read { get; init; } = (_, _) => null;
+    internal Func<ObjectFacts, DisplayPrecision, string?> Read { get; init; } = (_, _) => null;
 
     /// <summary>The parts of an object with a new value; null if the object would vanish. Only for objects that have the property.</summary>
     internal Func<ObjectFacts, double, IReadOnlyList<ChangedPart>?>? Change { get; init; }
@@ -34,8 +34,8 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
     internal Func<ObjectFacts, bool> Allows { get; init; } = _ => true;
 
     /// <summary>A read-only length.</summary>
-    internal static ObjectProperty Length(string name, Func<ObjectFacts, double?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.Length(value) : null };
+    internal static ObjectProperty Length(string name, Func<ObjectFacts, double?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.FormatLength(value) : null };
 
     /// <summary>A read-only angle, degrees from 0 up to 360.</summary>
-    internal static ObjectProperty Angle(string name, Func<ObjectFacts, Angle?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.Degrees(value) : null };
+    internal static ObjectProperty Angle(string name, Func<ObjectFacts, Angle?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.FormatDegrees(value) : null };
 }

@@ -12,13 +12,13 @@ internal static class PropertyEdit
 {
     /// <returns>The drawing with the new value.</returns>
     /// <exception cref="CommandException">The value is invalid, or an object cannot have it; the message states which and why.</exception>
-    public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, Figures figures)
+    public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, DisplayPrecision figures)
     {
         var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null && property.Allows(facts)).ToList();
         if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.PropertyNotFound", property.Title));
         if (property.Entity is { } entity) return drawing with { Entities = drawing.Entities.With(having.Select(facts => (facts.Index, entity(facts, typed))), []) };
-        if (property.Closed is { } closed) return PolylineClosing.Apply(drawing, having, closed(typed));
-        if (!NumberPrompt.TryNumber(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotANumber", typed, property.Title));
+        if (property.Closed is { } closed) return ClosedProperty.Apply(drawing, having, closed(typed));
+        if (!NumberPrompt.TryParse(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotANumber", typed, property.Title));
         var changes = new List<ChangedPart>();
         foreach (var facts in having)
         {

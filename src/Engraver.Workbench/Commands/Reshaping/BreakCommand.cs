@@ -13,24 +13,24 @@ internal sealed class BreakCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var (entity, at) = await ObjectSelection.OneAsync(context, Wording.Get("Break.SelectObject")).ConfigureAwait(false);
+        var (entity, at) = await ObjectSelection.PickOneAsync(context, Wording.Get("Break.SelectObject")).ConfigureAwait(false);
         ObjectSelection.Unlocked(context, [entity]);
         var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.ZeroLength"));
         var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);
         var cut = CutOf(path, first, second);
-        if (cut.Kept.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.NothingLeft"));
+        if (cut.Remaining.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.NothingLeft"));
         if (path.Closed && cut.Removed.Count == 0 && path.Parts.Count == 1) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.ClosedCurveAtOnePoint"));
         var reshaped = new ReshapedDrawing(drawing);
-        reshaped.Set(entity, cut.Kept);
+        reshaped.Set(entity, cut.Remaining);
         var rebuilt = reshaped.Build();
-        DrawingChange.Take(context, rebuilt, reshaped.Places(rebuilt, [entity]));
+        DrawingChange.Commit(context, rebuilt, reshaped.Places(rebuilt, [entity]));
     }
 
     /// <summary>The pick point is the first break point, unless another one is entered; <c>@</c> repeats it.</summary>
     private static async Task<(Point2D First, Point2D Second)> PlacesAsync(CommandContext context, EntityPath path, Point2D picked)
     {
         var second = await context.AskAsync(SecondPrompt(path, picked) with { Options = Keyword.List("First") }).ConfigureAwait(false);
-        if (second is Answer<Point2D>.Value { Of: var place }) return (picked, place);
+        if (second is Answer<Point2D>.Value { Result: var place }) return (picked, place);
         var first = await context.ValueAsync(new PointPrompt(Wording.Get("Break.SpecifyFirst"))).ConfigureAwait(false);
         return (first, await context.ValueAsync(SecondPrompt(path, first)).ConfigureAwait(false));
     }

@@ -25,13 +25,13 @@ internal sealed class JoinedPolyline
     }
 
     /// <summary>A closed polyline is not trimmed, like a circle.</summary>
-    public static bool StaysWhole(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: true };
+    public static bool IsUnbroken(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: true };
 
     /// <summary>Commits one undo step. The polyline keeps its direction, handle and layer.</summary>
-    public void Take(CommandContext context)
+    public void Commit(CommandContext context)
     {
         var rebuilt = new DrawingRebuild(_drawing);
-        var takesIn = _other.Kept is not null && !StaysWhole(_drawing, _other.Side.Entity);
+        var takesIn = _other.Kept is not null && !IsUnbroken(_drawing, _other.Side.Entity);
         var parts = Joined(rebuilt, takesIn);
         for (var index = 0; index < _drawing.Entities.Count; index++)
         {
@@ -39,7 +39,7 @@ internal sealed class JoinedPolyline
             else if (index != _other.Side.Entity || !takesIn) rebuilt.Keep(index);
         }
 
-        DrawingChange.Take(context, rebuilt, rebuilt.Places([_keeper.Side.Entity]));
+        DrawingChange.Commit(context, rebuilt, rebuilt.NewIndices([_keeper.Side.Entity]));
     }
 
     private static bool IsOpenPolyline(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: false };
@@ -49,7 +49,7 @@ internal sealed class JoinedPolyline
         var path = Into(rebuilt, _keeper);
         if (_between is { } between) path.Add(ReshapedDrawing.PartOf(between, HeightAtEnd(path[^1])));
         if (takesIn) path.AddRange(Turned(rebuilt, Into(rebuilt, _other)));
-        return _keeper.Kept!.Value.EndsThere ? path : Turned(rebuilt, path);
+        return _keeper.Kept!.Value.EndsAtJoint ? path : Turned(rebuilt, path);
     }
 
     /// <summary>The remaining part of an object, directed into the fillet.</summary>
@@ -57,8 +57,8 @@ internal sealed class JoinedPolyline
     {
         var parts = DrawingRebuild.PartsOf(_drawing, one.Side.Entity);
         var (kept, part) = (one.Kept!.Value, one.Side.Part);
-        parts[part] = ReshapedDrawing.PartOf(parts[part], kept.Kept, kept.Kept.Of(_drawing.SegmentOf(parts[part])));
-        return kept.EndsThere ? parts[..(part + 1)] : Turned(rebuilt, parts[part..]);
+        parts[part] = ReshapedDrawing.PartOf(parts[part], kept.Remaining, kept.Remaining.Of(_drawing.SegmentOf(parts[part])));
+        return kept.EndsAtJoint ? parts[..(part + 1)] : Turned(rebuilt, parts[part..]);
     }
 
     private static List<DrawingPart> Turned(DrawingRebuild rebuilt, List<DrawingPart> parts) => [.. parts.AsEnumerable().Reverse().Select(part => part.IsFreeCurve ? rebuilt.PartOf(rebuilt.CurveOf(part).Reversed()) : part.Reversed())];

@@ -16,23 +16,23 @@ internal sealed class MatchPropertiesCommand : ICommand
     {
         _ = context.Drawing;
         var source = await SourceAsync(context).ConfigureAwait(false);
-        var steps = new EditSteps(context);
+        var steps = new EditUndo(context);
         while (true)
         {
-            context.ShowPicked([source]);
-            var matched = context.Remembered(Last, "All");
-            context.Say(Wording.Get("MatchProp.Active", new Keyword(matched).Shown));
-            switch (await context.AskAsync(new PointPrompt(Wording.Get("MatchProp.SelectDestination")) { Options = Keyword.List("Settings", "Undo"), EnterEnds = true, Use = PointUse.Object }).ConfigureAwait(false))
+            context.HighlightPicked([source]);
+            var matched = context.LastValue(Last, "All");
+            context.WriteMessage(Wording.Get("MatchProp.Active", new Keyword(matched).Shown));
+            switch (await context.AskAsync(new PointPrompt(Wording.Get("MatchProp.SelectDestination")) { Options = Keyword.List("Settings", "Undo"), EnterEnds = true, Purpose = PointPurpose.Object }).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var at }:
+                case Answer<Point2D>.Value { Result: var at }:
                     var found = await FoundAsync(context, at).ConfigureAwait(false);
-                    if (found.Count == 0) context.Say(Wording.Get("Offset.NoObjectAtPoint"));
-                    steps.Take(() => Match(context, source, ObjectSelection.WithoutLocked(context, found), matched));
+                    if (found.Count == 0) context.WriteMessage(Wording.Get("Offset.NoObjectAtPoint"));
+                    steps.Run(() => Match(context, source, ObjectSelection.WithoutLocked(context, found), matched));
                     break;
-                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                case Answer<Point2D>.SelectedOption { Option: "Undo" }:
                     steps.Undo();
                     break;
-                case Answer<Point2D>.Chosen:
+                case Answer<Point2D>.SelectedOption:
                     context.Remember(Last, await context.ChoiceAsync(Wording.Get("MatchProp.Which"), Keyword.List("All", "Layer", "Color"), matched).ConfigureAwait(false));
                     break;
                 default:
@@ -44,13 +44,13 @@ internal sealed class MatchPropertiesCommand : ICommand
     private static async Task<int> SourceAsync(CommandContext context)
     {
         if (context.Document.Current.Selection is [var only]) return only;
-        return (await ObjectSelection.OneAsync(context, Wording.Get("MatchProp.SelectSource")).ConfigureAwait(false)).Entity;
+        return (await ObjectSelection.PickOneAsync(context, Wording.Get("MatchProp.SelectSource")).ConfigureAwait(false)).Entity;
     }
 
     private static async Task<IReadOnlyList<int>> FoundAsync(CommandContext context, Point2D at)
     {
-        if (ObjectSelection.At(context, at) is { } entity) return [entity];
-        var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = at }).ConfigureAwait(false);
+        if (ObjectSelection.EntityAt(context, at) is { } entity) return [entity];
+        var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Purpose = PointPurpose.Corner, From = at }).ConfigureAwait(false);
         var box = Bounds2D.FromCorners(at, corner);
         return [.. corner.X >= at.X ? DrawingPick.Inside(context.Drawing, box) : DrawingPick.Touching(context.Drawing, box)];
     }
@@ -59,7 +59,7 @@ internal sealed class MatchPropertiesCommand : ICommand
     {
         var (drawing, like) = (context.Drawing, context.Drawing.Entities[source]);
         var changed = found.Select(entity => (entity, Like(drawing.Entities[entity], like, matched))).Where(change => change.Item2 is var next && (next.Layer, next.Colour) != (drawing.Entities[change.entity].Layer, drawing.Entities[change.entity].Colour)).ToList();
-        if (changed.Count > 0) DrawingChange.Take(context, drawing with { Entities = drawing.Entities.With(changed, []) }, found);
+        if (changed.Count > 0) DrawingChange.Commit(context, drawing with { Entities = drawing.Entities.With(changed, []) }, found);
     }
 
     private static DrawingEntity Like(DrawingEntity entity, in DrawingEntity source, string matched)

@@ -8,27 +8,27 @@ namespace Engraver.Workbench.Commands.Reshaping;
 internal sealed record PickPrompt(string Instruction) : ValuePrompt<ObjectPick>(Instruction)
 {
     /// <summary>Prefix of the coordinates of a click with Shift.</summary>
-    public const string ShiftMark = "shift:";
+    public const string ShiftPrefix = "shift:";
 
-    /// <summary>Preview of a click (<see cref="PointAim.Ghost"/>).</summary>
-    public GhostOf? Ghost { get; init; }
+    /// <summary>Preview of a click (<see cref="PointRequest.Ghost"/>).</summary>
+    public GhostFunction? Ghost { get; init; }
 
-    public override PointAim Aim => new(PointUse.Object, null) { Ghost = Ghost, ShiftMark = ShiftMark };
+    public override PointRequest PointRequest => new(PointPurpose.Object, null) { Ghost = Ghost, ShiftPrefix = ShiftPrefix };
 
-    public override Reading<ObjectPick> Read(string typed, Point2D lastPoint)
+    public override ParsedInput<ObjectPick> Parse(string typed, Point2D lastPoint)
     {
         ArgumentNullException.ThrowIfNull(typed);
-        var shifted = typed.StartsWith(ShiftMark, StringComparison.OrdinalIgnoreCase);
-        var place = shifted ? typed[ShiftMark.Length..] : typed;
-        return place.Length == 0 ? Wrong(typed) : new PointPrompt(Instruction).Read(place, lastPoint) switch
+        var shifted = typed.StartsWith(ShiftPrefix, StringComparison.OrdinalIgnoreCase);
+        var place = shifted ? typed[ShiftPrefix.Length..] : typed;
+        return place.Length == 0 ? InvalidPoint(typed) : new PointPrompt(Instruction).Parse(place, lastPoint) switch
         {
-            Reading<Point2D>.Value { Of: var at } => new Reading<ObjectPick>.Value(new ObjectPick(at, shifted)),
-            Reading<Point2D>.Wrong wrong => new Reading<ObjectPick>.Wrong(wrong.Sentence),
+            ParsedInput<Point2D>.Value { Result: var at } => new ParsedInput<ObjectPick>.Value(new ObjectPick(at, shifted)),
+            ParsedInput<Point2D>.Invalid wrong => new ParsedInput<ObjectPick>.Invalid(wrong.Message),
             _ => throw new System.Diagnostics.UnreachableException(),
         };
     }
 
-    private static Reading<ObjectPick> Wrong(string typed) => new Reading<ObjectPick>.Wrong(Wording.Get("PointPrompt.InvalidPoint", typed));
+    private static ParsedInput<ObjectPick> InvalidPoint(string typed) => new ParsedInput<ObjectPick>.Invalid(Wording.Get("PointPrompt.InvalidPoint", typed));
 }
 
 /// <summary>A pick point, drawing units.</summary>

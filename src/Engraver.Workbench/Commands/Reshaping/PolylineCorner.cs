@@ -23,8 +23,8 @@ internal readonly record struct PolylineCorner(int Before, int After, Fillet Fil
     {
         var corner = fillet switch
         {
-            { First.EndsThere: true, Second.EndsThere: false } => new PolylineCorner(first, second, fillet),
-            { First.EndsThere: false, Second.EndsThere: true } => new PolylineCorner(second, first, new Fillet(fillet.Second, fillet.First, fillet.Between?.Reversed())),
+            { First.EndsAtJoint: true, Second.EndsAtJoint: false } => new PolylineCorner(first, second, fillet),
+            { First.EndsAtJoint: false, Second.EndsAtJoint: true } => new PolylineCorner(second, first, new Fillet(fillet.Second, fillet.First, fillet.Between?.Reversed())),
             _ => default(PolylineCorner?),
         };
         return corner is { } known && Follows(drawing, drawing.Entities[entity], known.Before, known.After) ? known : null;
@@ -48,22 +48,22 @@ internal sealed class PolylineCorners(int count)
 {
     private readonly Dictionary<int, PolylineCorner> _byBefore = [];
     private readonly Dictionary<int, PolylineCorner> _byAfter = [];
-    private readonly HashSet<int> _gone = [];
+    private readonly HashSet<int> _removed = [];
 
     public int Count => _byBefore.Count;
 
     public void Add(PolylineCorner corner)
     {
         (_byBefore[corner.Before], _byAfter[corner.After]) = (corner, corner);
-        for (var part = (corner.Before + 1) % count; part != corner.After; part = (part + 1) % count) _gone.Add(part);
+        for (var part = (corner.Before + 1) % count; part != corner.After; part = (part + 1) % count) _removed.Add(part);
     }
 
     /// <summary>True if both parts are long enough for this corner in addition to the existing ones.</summary>
     public bool HasRoom(int before, int after, Fillet fillet)
     {
-        var begin = _byAfter.TryGetValue(before, out var ahead) ? ahead.Fillet.Second!.Value.Kept.From : 0.0;
-        var end = _byBefore.TryGetValue(after, out var behind) ? behind.Fillet.First!.Value.Kept.To : 1.0;
-        return fillet.First!.Value.Kept.To > begin && fillet.Second!.Value.Kept.From < end;
+        var begin = _byAfter.TryGetValue(before, out var ahead) ? ahead.Fillet.Second!.Value.Remaining.From : 0.0;
+        var end = _byBefore.TryGetValue(after, out var behind) ? behind.Fillet.First!.Value.Remaining.To : 1.0;
+        return fillet.First!.Value.Remaining.To > begin && fillet.Second!.Value.Remaining.From < end;
     }
 
     /// <summary>The parts of the polyline with these corners, keeping its heights.</summary>
@@ -72,11 +72,11 @@ internal sealed class PolylineCorners(int count)
         var parts = new List<DrawingPart>();
         for (var index = 0; index < segments.Count; index++)
         {
-            if (_gone.Contains(index)) continue;
+            if (_removed.Contains(index)) continue;
             var whole = drawing.Parts[row.FirstPart + index];
             var start = _byAfter.TryGetValue(index, out var behind) ? behind.Fillet.Second : null;
             var end = _byBefore.TryGetValue(index, out var ahead) ? ahead.Fillet.First : null;
-            var piece = new PathPiece(index, start?.Kept.From ?? 0.0, end?.Kept.To ?? 1.0, start?.Joint ?? segments[index].Start, end?.Joint ?? segments[index].End);
+            var piece = new PathRange(index, start?.Remaining.From ?? 0.0, end?.Remaining.To ?? 1.0, start?.Joint ?? segments[index].Start, end?.Joint ?? segments[index].End);
             parts.Add(start is null && end is null ? whole : ReshapedDrawing.PartOf(whole, piece, piece.Of(segments[index])));
             if (end is not null && ahead.Fillet.Between is { } between) parts.Add(ReshapedDrawing.PartOf(between, whole.Kind == SegmentKind.Line ? whole.F : whole.C));
         }

@@ -18,14 +18,14 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
     public bool AreLengthened { get; set; }
 
     /// <summary>Updates the indices of the edges after an edit.</summary>
-    public void Follow(Func<IReadOnlyList<int>, IReadOnlyList<int>> places)
+    public void Remap(Func<IReadOnlyList<int>, IReadOnlyList<int>> places)
     {
         _before.Push(_selected);
         _selected = _selected is { } all ? places(all) : null;
     }
 
     /// <summary>Reverts the last update of the indices.</summary>
-    public void Back() => _selected = _before.TryPop(out var before) ? before : _selected;
+    public void Undo() => _selected = _before.TryPop(out var before) ? before : _selected;
 
     /// <summary>The new shape of an object picked at a point.</summary>
     /// <returns>Null if it does not change.</returns>
@@ -36,7 +36,7 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
     }
 
     /// <summary>Why an object cannot be trimmed or extended.</summary>
-    public static string WhyNot(Drawing drawing, int entity, bool extends)
+    public static string RefusalOf(Drawing drawing, int entity, bool extends)
     {
         if (!extends) return Wording.Get("Trim.NoCrossing");
         if (drawing.Entities[entity].Closed) return Wording.Get("Extend.Closed");
@@ -47,13 +47,13 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
     {
         var reach = path.Parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.Bounds));
         var crossings = path.Crossings(Edges(drawing, entity, AreLengthened ? null : reach), AreLengthened);
-        return PathCut.Trim(path, crossings, path.Nearest(at)) is { } cut ? new ReshapedPath(cut.Kept, [.. cut.Removed.Select(piece => piece.Of(path.Parts[piece.Part]))]) : null;
+        return PathCut.Trim(path, crossings, path.Nearest(at)) is { } cut ? new ReshapedPath(cut.Remaining, [.. cut.Removed.Select(piece => piece.Of(path.Parts[piece.Part]))]) : null;
     }
 
     private ReshapedPath? Extended(Drawing drawing, int entity, EntityPath path, Point2D at)
     {
         if (PathExtension.Find(path, Edges(drawing, entity, null), at, AreLengthened) is not { } found) return null;
-        PathPiece[] pieces = [.. path.Parts.Select((part, index) => index == found.Grown.Part ? found.Grown : PathPiece.Whole(index, part))];
+        PathRange[] pieces = [.. path.Parts.Select((part, index) => index == found.Grown.Part ? found.Grown : PathRange.Whole(index, part))];
         return new ReshapedPath([pieces], [found.Added.Of(path.Parts[found.Added.Part])]);
     }
 
@@ -79,5 +79,5 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
 
 /// <summary>New shape of an object.</summary>
 /// <param name="Kept">Each becomes an object.</param>
-/// <param name="Shown">The removed or added segments, for the preview.</param>
-internal sealed record ReshapedPath(IReadOnlyList<IReadOnlyList<PathPiece>> Kept, IReadOnlyList<Segment> Shown);
+/// <param name="Preview">The removed or added segments, for the preview.</param>
+internal sealed record ReshapedPath(IReadOnlyList<IReadOnlyList<PathRange>> Kept, IReadOnlyList<Segment> Preview);

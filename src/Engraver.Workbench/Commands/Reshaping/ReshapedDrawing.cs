@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Commands.Reshaping;
 internal sealed class ReshapedDrawing
 {
     private readonly Drawing _drawing;
-    private readonly Dictionary<int, IReadOnlyList<IReadOnlyList<PathPiece>>> _shapes = [];
+    private readonly Dictionary<int, IReadOnlyList<IReadOnlyList<PathRange>>> _shapes = [];
     private readonly Dictionary<int, List<int>> _places = [];
     private readonly List<(int Like, int Layer, Segment Segment)> _added = [];
 
@@ -22,7 +22,7 @@ internal sealed class ReshapedDrawing
     public int Count => _shapes.Count;
 
     /// <summary>Replaces an object by these pieces; an empty list erases it.</summary>
-    public void Set(int entity, IReadOnlyList<IReadOnlyList<PathPiece>> kept) => _shapes[entity] = kept;
+    public void Set(int entity, IReadOnlyList<IReadOnlyList<PathRange>> kept) => _shapes[entity] = kept;
 
     /// <summary>Appends a line or an arc.</summary>
     /// <param name="like">Object with the colour and height to copy.</param>
@@ -49,7 +49,7 @@ internal sealed class ReshapedDrawing
     }
 
     /// <summary>New indices of objects and of the pieces of divided ones. Call after <see cref="Build"/>.</summary>
-    public IReadOnlyList<int> Places(DrawingRebuild rebuilt, IEnumerable<int> entities) => [.. entities.SelectMany(entity => _places.GetValueOrDefault(entity) ?? rebuilt.Places([entity]))];
+    public IReadOnlyList<int> Places(DrawingRebuild rebuilt, IEnumerable<int> entities) => [.. entities.SelectMany(entity => _places.GetValueOrDefault(entity) ?? rebuilt.NewIndices([entity]))];
 
     /// <summary>The object as a path; null if it cannot be cut (no parts, or a part without length).</summary>
     public static EntityPath? PathOf(Drawing drawing, int entity)
@@ -66,14 +66,14 @@ internal sealed class ReshapedDrawing
     /// <summary>A piece of a line, arc or circle; an inclined line keeps its slope.</summary>
     /// <param name="whole">The whole part.</param>
     /// <param name="segment">The piece in plan.</param>
-    public static DrawingPart PartOf(in DrawingPart whole, in PathPiece piece, in Segment segment)
+    public static DrawingPart PartOf(in DrawingPart whole, in PathRange piece, in Segment segment)
     {
         if (whole.Kind != SegmentKind.Line) return DrawingPart.Arc(0, segment.Arc, whole.C);
         var rise = whole.F - whole.C;
         return DrawingPart.Line(0, segment.Start.X, segment.Start.Y, whole.C + (rise * piece.From), segment.End.X, segment.End.Y, whole.C + (rise * piece.To));
     }
 
-    private int Append(DrawingRebuild rebuilt, int index, IReadOnlyList<PathPiece> pieces, bool isFirst)
+    private int Append(DrawingRebuild rebuilt, int index, IReadOnlyList<PathRange> pieces, bool isFirst)
     {
         var entity = _drawing.Entities[index];
         var parts = pieces.Select(piece => PartOf(rebuilt, _drawing.Parts[entity.FirstPart + piece.Part], piece)).ToList();
@@ -84,7 +84,7 @@ internal sealed class ReshapedDrawing
         return place;
     }
 
-    private DrawingPart PartOf(DrawingRebuild rebuilt, in DrawingPart part, in PathPiece piece)
+    private DrawingPart PartOf(DrawingRebuild rebuilt, in DrawingPart part, in PathRange piece)
     {
         var segment = piece.Of(_drawing.SegmentOf(part));
         return part.IsFreeCurve ? rebuilt.PartOf(segment.Curve) : PartOf(part, piece, segment);

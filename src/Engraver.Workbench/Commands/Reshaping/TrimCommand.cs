@@ -21,20 +21,20 @@ internal sealed class TrimCommand : ICommand
     {
         _ = context.Drawing;
         var edges = await EdgesAsync(context).ConfigureAwait(false);
-        var steps = new EditSteps(context);
+        var steps = new EditUndo(context);
         while (true)
         {
             switch (await context.AskAsync(Prompt(context, edges)).ConfigureAwait(false))
             {
-                case Answer<ObjectPick>.Value { Of: var pick }:
+                case Answer<ObjectPick>.Value { Result: var pick }:
                     var picked = await PickedAsync(context, pick.At).ConfigureAwait(false);
-                    steps.Take(() => Take(context, edges, picked, pick.IsShifted ^ _extends));
+                    steps.Run(() => Commit(context, edges, picked, pick.IsShifted ^ _extends));
                     break;
-                case Answer<ObjectPick>.Chosen { Option: "Undo" }:
-                    if (steps.Undo()) edges.Back();
+                case Answer<ObjectPick>.SelectedOption { Option: "Undo" }:
+                    if (steps.Undo()) edges.Undo();
                     break;
-                case Answer<ObjectPick>.Chosen { Option: var option }:
-                    await TakeOptionAsync(context, steps, edges, option).ConfigureAwait(false);
+                case Answer<ObjectPick>.SelectedOption { Option: var option }:
+                    await ApplyOptionAsync(context, steps, edges, option).ConfigureAwait(false);
                     break;
                 default:
                     return;
@@ -46,9 +46,9 @@ internal sealed class TrimCommand : ICommand
     private async Task<ReshapeEdges> EdgesAsync(CommandContext context)
     {
         var before = context.Document.Current.Selection;
-        if (before.Count > 0) context.Say(Wording.Get("ObjectSelection.Found", before.Count));
+        if (before.Count > 0) context.WriteMessage(Wording.Get("ObjectSelection.Found", before.Count));
         var selected = before.Count > 0 ? before : await ObjectSelection.PickAsync(context, Wording.Get(_extends ? "Extend.SelectEdges" : "Trim.SelectEdges")).ConfigureAwait(false);
-        return new ReshapeEdges(selected.Count == 0 ? null : selected) { AreLengthened = context.Remembered(ReshapeEdges.Mode) == "Extend" };
+        return new ReshapeEdges(selected.Count == 0 ? null : selected) { AreLengthened = context.LastValue(ReshapeEdges.Mode) == "Extend" };
     }
 
     private PickPrompt Prompt(CommandContext context, ReshapeEdges edges)
@@ -58,11 +58,11 @@ internal sealed class TrimCommand : ICommand
         {
             Options = _extends ? Keyword.List("Fence", "Crossing", "Edge", "Undo") : Keyword.List("Fence", "Crossing", "Edge", "eRase", "Undo"),
             EnterEnds = true,
-            Ghost = place => ObjectSelection.At(context, place) is { } entity && edges.Reshape(drawing, entity, place, _extends) is { } shape ? shape.Shown : [],
+            Ghost = place => ObjectSelection.EntityAt(context, place) is { } entity && edges.Reshape(drawing, entity, place, _extends) is { } shape ? shape.Preview : [],
         };
     }
 
-    private async Task TakeOptionAsync(CommandContext context, EditSteps steps, ReshapeEdges edges, string option)
+    private async Task ApplyOptionAsync(CommandContext context, EditUndo steps, ReshapeEdges edges, string option)
     {
         switch (option)
         {
@@ -73,29 +73,29 @@ internal sealed class TrimCommand : ICommand
                 break;
             case "eRase":
                 var erased = await ObjectSelection.PickAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false);
-                if (ObjectSelection.WithoutLocked(context, erased) is { Count: > 0 } free) steps.Take(() => Erase(context, edges, free));
+                if (ObjectSelection.WithoutLocked(context, erased) is { Count: > 0 } free) steps.Run(() => Erase(context, edges, free));
                 break;
             default:
                 var picked = option == "Fence" ? await FenceAsync(context).ConfigureAwait(false) : Crossed(context.Drawing, await BoxAsync(context, null).ConfigureAwait(false));
-                steps.Take(() => Take(context, edges, picked, _extends));
+                steps.Run(() => Commit(context, edges, picked, _extends));
                 break;
         }
     }
 
     /// <summary>The object at a point, or at an empty point the objects that a box from there crosses.</summary>
     private static async Task<IReadOnlyList<(int Entity, Point2D At)>> PickedAsync(CommandContext context, Point2D at) =>
-        ObjectSelection.At(context, at) is { } entity ? [(entity, at)] : Crossed(context.Drawing, await BoxAsync(context, at).ConfigureAwait(false));
+        ObjectSelection.EntityAt(context, at) is { } entity ? [(entity, at)] : Crossed(context.Drawing, await BoxAsync(context, at).ConfigureAwait(false));
 
     private static async Task<Bounds2D> BoxAsync(CommandContext context, Point2D? corner)
     {
-        var first = corner ?? await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);
-        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
+        var first = corner ?? await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Purpose = PointPurpose.Corner }).ConfigureAwait(false);
+        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Purpose = PointPurpose.Corner, From = first }).ConfigureAwait(false));
     }
 
     private static async Task<IReadOnlyList<(int Entity, Point2D At)>> FenceAsync(CommandContext context)
     {
         var places = new List<Point2D> { await context.ValueAsync(new PointPrompt(Wording.Get("Trim.FirstFencePoint"))).ConfigureAwait(false) };
-        while (await context.AskAsync(new PointPrompt(Wording.Get("Trim.NextFencePoint")) { EnterEnds = true, From = places[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var next }) places.Add(next);
+        while (await context.AskAsync(new PointPrompt(Wording.Get("Trim.NextFencePoint")) { EnterEnds = true, From = places[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Result: var next }) places.Add(next);
         return Met(context.Drawing, [.. places.Zip(places.Skip(1)).Select(pair => Segment.FromLine(pair.First, pair.Second))]);
     }
 
@@ -112,27 +112,27 @@ internal sealed class TrimCommand : ICommand
             where at is not null
             select (entity, at.Value)];
 
-    private static void Take(CommandContext context, ReshapeEdges edges, IReadOnlyList<(int Entity, Point2D At)> picked, bool extends)
+    private static void Commit(CommandContext context, ReshapeEdges edges, IReadOnlyList<(int Entity, Point2D At)> picked, bool extends)
     {
-        if (picked.Count == 0) context.Say(Wording.Get("Offset.NoObjectAtPoint"));
+        if (picked.Count == 0) context.WriteMessage(Wording.Get("Offset.NoObjectAtPoint"));
         var (drawing, reshaped) = (context.Drawing, new ReshapedDrawing(context.Drawing));
         var free = ObjectSelection.WithoutLocked(context, [.. picked.Select(one => one.Entity)]).ToHashSet();
         foreach (var (entity, at) in picked.Where(one => free.Contains(one.Entity)))
         {
             if (edges.Reshape(drawing, entity, at, extends) is { } shape) reshaped.Set(entity, shape.Kept);
-            else context.Say(ReshapeEdges.WhyNot(drawing, entity, extends));
+            else context.WriteMessage(ReshapeEdges.RefusalOf(drawing, entity, extends));
         }
 
         if (reshaped.Count == 0) return;
         var rebuilt = reshaped.Build();
-        DrawingChange.Take(context, rebuilt, reshaped.Places(rebuilt, picked.Select(one => one.Entity)));
-        edges.Follow(all => reshaped.Places(rebuilt, all));
+        DrawingChange.Commit(context, rebuilt, reshaped.Places(rebuilt, picked.Select(one => one.Entity)));
+        edges.Remap(all => reshaped.Places(rebuilt, all));
     }
 
     private static void Erase(CommandContext context, ReshapeEdges edges, IReadOnlyList<int> erased)
     {
         var gone = erased.Distinct().Order().ToList();
         DrawingChange.Erase(context, gone);
-        edges.Follow(all => [.. all.Where(entity => gone.BinarySearch(entity) < 0).Select(entity => entity + gone.BinarySearch(entity) + 1)]);
+        edges.Remap(all => [.. all.Where(entity => gone.BinarySearch(entity) < 0).Select(entity => entity + gone.BinarySearch(entity) + 1)]);
     }
 }

@@ -20,12 +20,12 @@ internal sealed class AutoSequenceCommand : ICommand
         var run = new StageRun(new DrawnJob(drawing, settings), cancellation);
         var ordered = run.To<OrderedJob>();
         var result = ordered.Sequence;
-        FindingMessages.Say(context, drawing.FileName, [.. result.Diagnostics, .. ordered.Cut.FindingsBeside(result)], Severity.Warning);
-        context.SayResult(output => SequenceText.Write(output, result));
-        context.Take(state with { Settings = settings });
+        FindingMessages.Write(context, drawing.FileName, [.. result.Diagnostics, .. ordered.Cut.FindingsBeside(result)], Severity.Warning);
+        context.WriteResult(output => SequenceText.Write(output, result));
+        context.Commit(state with { Settings = settings });
         var asks = context.Settings.Current.Variable(SystemVariables.AutoWalk) != 0.0;
-        if (!asks && !context.IsWatched) return;
-        if (context.Derivation.KeepsUp) await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
-        await ContourWalk.WalkAsync(context, result, run.To<PathJob>().Toolpath, asks, cancellation).ConfigureAwait(false);
+        if (!asks && !context.IsInteractive) return;
+        if (context.Derivation.IsAutomatic) await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
+        await ContourAnimation.RunAsync(context, result, run.To<PathJob>().Toolpath, asks, cancellation).ConfigureAwait(false);
     }
 }

@@ -14,10 +14,10 @@ internal sealed class CheckCommand : ICommand
     {
         var drawing = context.Drawing;
         var job = JobPreparation.PrepareUnlessCancelled(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation);
-        FindingMessages.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
+        FindingMessages.Write(context, drawing.FileName, job.Diagnostics, Severity.Info);
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);
-        context.Say($"{CountText.Format(errors, "Error")}, {CountText.Format(warnings, "Warning")}.", MessageKind.Result);
+        context.WriteMessage($"{CountText.Format(errors, "Error")}, {CountText.Format(warnings, "Warning")}.", MessageKind.Result);
         if (errors > 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Check.DrawingHas", CountText.Format(errors, "Error")));
         return Task.CompletedTask;
     }

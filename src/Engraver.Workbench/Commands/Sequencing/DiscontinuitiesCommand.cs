@@ -13,7 +13,7 @@ internal sealed class DiscontinuitiesCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var result = JobPreparation.To<OrderedJob>(context.Drawing, context.Document.Current.Settings with { Kerf = KerfSide.Off }).Sequence;
-        context.SayResult(output => SequenceText.WriteOpenEnds(output, result));
+        context.WriteResult(output => SequenceText.WriteOpenEnds(output, result));
         return Task.CompletedTask;
     }
 }

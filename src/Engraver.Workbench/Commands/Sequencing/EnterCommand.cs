@@ -13,23 +13,23 @@ internal sealed class EnterCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Enter.SelectEnteringEntity")) { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Enter.SelectEnteringEntity")) { Options = Keyword.List("Handle", "Point", "None"), Purpose = PointPurpose.Object }).ConfigureAwait(false);
         var place = answer switch
         {
-            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectAtPoint"))),
-            Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
-            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(drawing.Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
+            Answer<Point2D>.Value { Result: var point } => AtEntity(drawing, ObjectSelection.EntityAt(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectAtPoint"))),
+            Answer<Point2D>.SelectedOption { Option: "Handle" } => new EntryPoint.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
+            Answer<Point2D>.SelectedOption { Option: "Point" } => new EntryPoint.ByPoint(drawing.Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
             _ => null,
         };
         var state = context.Document.Current;
-        context.Take(state with { Settings = state.Settings with { Enter = place } });
+        context.Commit(state with { Settings = state.Settings with { Enter = place } });
     }
 
     /// <summary>Identifies the entity by its handle if it is unique, otherwise by a point on it: curves of a block's copies share their handle.</summary>
-    private static EnteringPlace AtEntity(Drawing drawing, int entity) =>
+    private static EntryPoint AtEntity(Drawing drawing, int entity) =>
         drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
-            ? new EnteringPlace.ByHandle(handle)
-            : new EnteringPlace.ByPoint(drawing.Scale.ToMillimetres(DrawingPick.Segments(drawing, entity).First().Start));
+            ? new EntryPoint.ByHandle(handle)
+            : new EntryPoint.ByPoint(drawing.Scale.ToMillimetres(DrawingPick.Segments(drawing, entity).First().Start));
 
     private static async Task<string> HandleAsync(CommandContext context)
     {

@@ -10,9 +10,9 @@ internal sealed class ToolStartCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var now = PointPrompt.Show(drawing.Scale.ToDrawing(context.Document.Current.Settings.Start));
+        var now = PointPrompt.Format(drawing.Scale.ToDrawing(context.Document.Current.Settings.Start));
         var point = await context.ValueAsync(new PointPrompt(Wording.Get("ToolStart.SpecifyPoint")) { Default = now }).ConfigureAwait(false);
         var state = context.Document.Current;
-        context.Take(state with { Settings = state.Settings with { Start = drawing.Scale.ToMillimetres(point) } });
+        context.Commit(state with { Settings = state.Settings with { Start = drawing.Scale.ToMillimetres(point) } });
     }
 }

@@ -6,8 +6,8 @@ namespace Engraver.Workbench.Commands.Session;
 /// not repeat it.</summary>
 internal sealed class QuitCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true, IsRepeated = false };
+    public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { IsAllowedDuringJob = true, IsRepeatable = false };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation) =>
-        context.OpensDialog() ? Task.CompletedTask : throw new CommandException(CommandFailure.Usage, Wording.Get("Quit.NoWindow"));
+        context.TryOpenDialog() ? Task.CompletedTask : throw new CommandException(CommandFailure.Usage, Wording.Get("Quit.NoWindow"));
 }

@@ -8,8 +8,8 @@ internal sealed class ReinitCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var aliases = context.ReloadAliases();
-        foreach (var finding in aliases.Findings) context.Say(finding, MessageKind.Warning);
-        context.Say(Wording.Count("Reinit.Aliases", aliases.Commands.Count));
+        foreach (var finding in aliases.Findings) context.WriteMessage(finding, MessageKind.Warning);
+        context.WriteMessage(Wording.Count("Reinit.Aliases", aliases.Commands.Count));
         return Task.CompletedTask;
     }
 }

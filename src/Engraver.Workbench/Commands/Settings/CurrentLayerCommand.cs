@@ -19,6 +19,6 @@ internal sealed class CurrentLayerCommand : ISettingCommand
         if (CurrentLayer.IndexOf(context.Drawing, name) is not { } index) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.NotFound", $"'{name}'"));
         var layer = context.Drawing.Layers[index];
         if (layer.Frozen) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.FrozenNotCurrent", layer.Name));
-        context.Take(state with { CurrentLayer = layer.Name });
+        context.Commit(state with { CurrentLayer = layer.Name });
     }
 }

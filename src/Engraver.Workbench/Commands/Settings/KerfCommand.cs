@@ -18,7 +18,7 @@ internal sealed class KerfCommand : ICommand
         var side = SettingTable.Kerf.ParseInput(await context.ChoiceAsync(Wording.Get("Kerf.EnterSide"), Keyword.List([.. SettingTable.Kerf.Choices]), SettingTable.Kerf.ToInput(settings)).ConfigureAwait(false));
         var diameter = side == KerfSide.Off ? settings.ToolDiameterMm : await DiameterAsync(context, side, settings.ToolDiameterMm).ConfigureAwait(false);
         var state = context.Document.Current;
-        context.Take(state with { Settings = state.Settings with { Kerf = side, ToolDiameterMm = diameter } });
+        context.Commit(state with { Settings = state.Settings with { Kerf = side, ToolDiameterMm = diameter } });
     }
 
     private static async Task<double> DiameterAsync(CommandContext context, KerfSide side, double before)
@@ -26,15 +26,15 @@ internal sealed class KerfCommand : ICommand
         var (setting, shown) = (SettingTable.ToolDiameter, before);
         while (true)
         {
-            var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Show(shown) : null, Least = setting.Min, Most = setting.Max };
+            var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Format(shown) : null, Min = setting.Min, Max = setting.Max };
             if (context.Document.Current.Drawing is not { } drawing) return await context.ValueAsync(prompt).ConfigureAwait(false);
             var answer = await context.AskAsync(prompt with { Options = Keyword.List("Preview"), Preview = shown > 0.0 ? PathOf(drawing, context.Document.Current.Settings with { Kerf = side, ToolDiameterMm = shown }) : null }).ConfigureAwait(false);
-            if (answer is Answer<double>.Value { Of: var diameter }) return diameter;
+            if (answer is Answer<double>.Value { Result: var diameter }) return diameter;
             shown = await context.ValueAsync(prompt with { Instruction = Wording.Get("Kerf.PreviewDiameter") }).ConfigureAwait(false);
         }
     }
 
     /// <summary>The path of the tool's centre, drawing units.</summary>
-    private static GhostOf PathOf(Drawing drawing, DrawingSettings settings) =>
+    private static GhostFunction PathOf(Drawing drawing, DrawingSettings settings) =>
         _ => [.. JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table.ToSegments().Select(drawing.Scale.ToDrawing)];
 }

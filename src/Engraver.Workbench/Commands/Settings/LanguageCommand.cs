@@ -12,7 +12,7 @@ internal sealed class LanguageCommand : ICommand
     private const string English = "English";
     private const string EnglishCode = "en";
 
-    public CommandInfo Info { get; } = new("LANGUAGE", CommandGroup.Setting) { Transparent = true };
+    public CommandInfo Info { get; } = new("LANGUAGE", CommandGroup.Setting) { IsTransparent = true };
 
     /// <summary>What may be chosen, in English.</summary>
     public static IReadOnlyList<string> Choices => [Auto, English, .. LanguageFile.All.Select(file => file.Name)];
@@ -26,6 +26,6 @@ internal sealed class LanguageCommand : ICommand
         var chosen = await context.ChoiceAsync(Wording.Get("Language.EnterLanguage"), Keyword.List([.. Choices]), NameOf(context.Settings.Current)).ConfigureAwait(false);
         var code = chosen == Auto ? null : LanguageFile.All.FirstOrDefault(file => file.Name == chosen)?.Code ?? EnglishCode;
         context.Settings.Change(settings => settings with { Language = code });
-        if (code != now) context.Say(Wording.Get("Language.FromNextStart"));
+        if (code != now) context.WriteMessage(Wording.Get("Language.FromNextStart"));
     }
 }

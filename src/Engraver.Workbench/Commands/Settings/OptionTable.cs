@@ -25,8 +25,8 @@ public static class OptionTable
 
     private static OptionEntry Described(CommandSession session, Setting setting) => new(setting.Page!.Value.ToString(), setting.Key, setting.Command)
     {
-        Name = setting.Name, Meaning = SettingWording.AtCommandLine(setting.Meaning), Unit = setting.Unit, Least = setting.Min, Most = setting.Max, Whole = setting.Whole, Default = setting.Default,
-        Choices = setting.Choices, Value = setting.ToInput(session.Document.Current.Settings), MayBeEmpty = setting.MayBeEmpty,
+        Name = setting.Name, Meaning = SettingWording.AtCommandLine(setting.Meaning), Unit = setting.Unit, Min = setting.Min, Max = setting.Max, IsInteger = setting.Whole, Default = setting.Default,
+        Choices = setting.Choices, Value = setting.ToInput(session.Document.Current.Settings), AllowsEmpty = setting.MayBeEmpty,
     };
 
     private static OptionEntry Variable(CommandSession session, SystemVariable variable)
@@ -34,7 +34,7 @@ public static class OptionTable
         var info = session.Catalog.Find(variable.Name)!.Info;
         return new OptionEntry(SystemVariables.IsInView(variable.Name) ? "Drafting" : "Screen", variable.Name, variable.Name)
         {
-            Name = variable.Name, Meaning = info.Summary, Least = variable.Least, Most = variable.Most, Whole = variable.Whole, Default = NumberPrompt.Show(variable.First), Value = Shown(session, variable.Name),
+            Name = variable.Name, Meaning = info.Summary, Min = variable.Min, Max = variable.Max, IsInteger = variable.IsInteger, Default = NumberPrompt.Format(variable.First), Value = Shown(session, variable.Name),
         };
     }
 
@@ -61,73 +61,3 @@ public static class OptionTable
         return side == KerfSetting.Off ? [changed.Command, English + side] : [changed.Command, English + side, diameter];
     }
 }
-
-/// <summary>One setting in a window of settings.</summary>
-/// <param name="Page">Name of its page; the title is the text <c>OptionPage.PAGE</c>.</param>
-/// <param name="Key">Its permanent name.</param>
-/// <param name="Command">What is typed for it.</param>
-public sealed record OptionEntry(string Page, string Key, string Command)
-{
-    public required string Name { get; init; }
-
-    /// <summary>What it does, in one or two sentences.</summary>
-    public required string Meaning { get; init; }
-
-    public string Unit { get; init; } = "";
-
-    public double Least { get; init; }
-
-    public double Most { get; init; }
-
-    public bool Whole { get; init; }
-
-    public string Default { get; init; } = "";
-
-    /// <summary>The words that may be chosen, as commands know them; empty for a number.</summary>
-    public IReadOnlyList<string> Choices { get; init; } = [];
-
-    /// <summary>The same with what is shown for them in the language of now.</summary>
-    public IReadOnlyList<OptionChoice> ShownChoices => [.. Choices.Select(choice => new OptionChoice(choice, Shown(choice)))];
-
-    /// <summary>The first value, as it is shown.</summary>
-    public string ShownDefault => Choices.FirstOrDefault(choice => choice.Equals(Default, StringComparison.OrdinalIgnoreCase)) is { } choice ? Shown(choice) : Default;
-
-    /// <summary>As it is now.</summary>
-    public string Value { get; init; } = "";
-
-    /// <summary>No value is allowed too.</summary>
-    public bool MayBeEmpty { get; init; }
-
-    /// <summary>It is on or off: 1 or 0.</summary>
-    public bool IsSwitch => Choices.Count == 0 && Whole && (Least, Most) == (0.0, 1.0);
-
-    /// <summary>The title of its page.</summary>
-    public string PageTitle => Wording.Get("OptionPage." + Page);
-
-    /// <summary>What is wrong with a typed value, in a sentence; null when it can be taken.</summary>
-    public string? WhyNot(string typed)
-    {
-        ArgumentNullException.ThrowIfNull(typed);
-        if (typed.Length == 0) return MayBeEmpty ? null : Wording.Get("PendingValue.InputRequired", Name);
-        if (Choices.Count > 0) return Choices.Contains(typed) ? null : Wording.Get("ChoicePrompt.NotAnOption", typed, string.Join(", ", Choices.Select(Shown)));
-        return new NumberPrompt(Name) { Least = Least, Most = Most, Whole = Whole }.Read(typed, Point2D.Origin) is Reading<double>.Wrong wrong ? wrong.Sentence : null;
-    }
-
-    private static string Shown(string choice) => new Keyword(choice).Shown is var shown && shown == choice ? choice : Capitalised(shown);
-
-    /// <summary>The capitals inside of an option mark what is typed for it; in a list they mean nothing.</summary>
-    private static string Capitalised(string option) => option[..1].ToUpper(CultureInfo.CurrentUICulture) + option[1..].ToLower(CultureInfo.CurrentUICulture);
-
-    /// <summary>The words of a search stand in its name, its command or its meaning.</summary>
-    public bool Holds(string words)
-    {
-        ArgumentNullException.ThrowIfNull(words);
-        return words.Split(' ', StringSplitOptions.RemoveEmptyEntries).All(word => Name.Contains(word, StringComparison.CurrentCultureIgnoreCase)
-            || Command.Contains(word, StringComparison.OrdinalIgnoreCase) || Meaning.Contains(word, StringComparison.CurrentCultureIgnoreCase) || PageTitle.Contains(word, StringComparison.CurrentCultureIgnoreCase));
-    }
-}
-
-/// <summary>A word that may be chosen.</summary>
-/// <param name="Value">As commands know it.</param>
-/// <param name="Word">As it is shown.</param>
-public sealed record OptionChoice(string Value, string Word);

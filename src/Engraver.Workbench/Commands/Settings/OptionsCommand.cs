@@ -6,16 +6,16 @@ namespace Engraver.Workbench.Commands.Settings;
 /// changes one.</summary>
 internal sealed class OptionsCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("OPTIONS", CommandGroup.File) { Transparent = true };
+    public CommandInfo Info { get; } = new("OPTIONS", CommandGroup.File) { IsTransparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.OpensDialog()) return;
-        context.SayResult(output => Write(context, output));
+        if (context.TryOpenDialog()) return;
+        context.WriteResult(output => Write(context, output));
         var prompt = new TextPrompt(Wording.Get("Options.EnterName")) { EnterEnds = true };
-        if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Of: var name }) return;
+        if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Result: var name }) return;
         if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.UnknownSetting", name));
-        if (context.Outer is { } outer && !setting.Info.Transparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its step would stand between those of the other
+        if (context.OuterCommand is { } outer && !setting.Info.IsTransparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its step would stand between those of the other
         await setting.RunAsync(context, cancellation).ConfigureAwait(false);
     }
 

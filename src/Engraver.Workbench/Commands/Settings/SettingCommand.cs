@@ -20,7 +20,7 @@ internal sealed class SettingCommand(Setting setting) : ISettingCommand
         var state = context.Document.Current;
         try
         {
-            context.Take(state with { Settings = setting.FromInput(state.Settings, input) });
+            context.Commit(state with { Settings = setting.FromInput(state.Settings, input) });
         }
         catch (SettingException unusable)
         {
@@ -31,13 +31,7 @@ internal sealed class SettingCommand(Setting setting) : ISettingCommand
     private async Task<string> InputAsync(CommandContext context)
     {
         if (setting.Choices.Count > 0) return await context.ChoiceAsync(setting.Instruction, Keyword.List([.. setting.Choices]), ValueText(context)).ConfigureAwait(false);
-        var prompt = new NumberPrompt(setting.Instruction) { Default = ValueText(context), Least = setting.Min, Most = setting.Max, Whole = setting.Whole };
+        var prompt = new NumberPrompt(setting.Instruction) { Default = ValueText(context), Min = setting.Min, Max = setting.Max, IsInteger = setting.Whole };
         return TypedNumber.Exact(await context.ValueAsync(prompt).ConfigureAwait(false));
     }
-}
-
-/// <summary>A command that asks for the new value of one setting and can show the present one.</summary>
-internal interface ISettingCommand : ICommand
-{
-    string ValueText(CommandContext context);
 }

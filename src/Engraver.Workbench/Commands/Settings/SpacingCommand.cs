@@ -12,7 +12,7 @@ internal sealed class SpacingCommand : ICommand
 
     private SpacingCommand(string name, string onOff, string spacing)
     {
-        Info = new CommandInfo(name, CommandGroup.View) { Transparent = true };
+        Info = new CommandInfo(name, CommandGroup.View) { IsTransparent = true };
         (_switch, _spacing) = (onOff, spacing);
     }
 
@@ -27,9 +27,9 @@ internal sealed class SpacingCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var spacing = SystemVariables.Find(_spacing);
-        var prompt = new NumberPrompt(Wording.Get("Spacing." + Info.Name)) { Options = s_modes, Default = NumberPrompt.Show(spacing.Read(context)), Least = 1e-6, Most = 1e6 };
+        var prompt = new NumberPrompt(Wording.Get("Spacing." + Info.Name)) { Options = s_modes, Default = NumberPrompt.Format(spacing.Read(context)), Min = 1e-6, Max = 1e6 };
         var answer = await context.AskAsync(prompt).ConfigureAwait(false);
-        if (answer is Answer<double>.Value { Of: var value }) spacing.Write(context, value);
-        SystemVariables.Find(_switch).Write(context, answer is Answer<double>.Chosen { Option: "OFF" } ? 0.0 : 1.0);
+        if (answer is Answer<double>.Value { Result: var value }) spacing.Write(context, value);
+        SystemVariables.Find(_switch).Write(context, answer is Answer<double>.SelectedOption { Option: "OFF" } ? 0.0 : 1.0);
     }
 }

@@ -13,7 +13,7 @@ internal sealed class SwitchCommand : ICommand
     /// <param name="excluded">The variable of an aid that cannot be on together with this one; null for none.</param>
     private SwitchCommand(string name, string variable, string? excluded = null)
     {
-        Info = new CommandInfo(name, CommandGroup.View) { Transparent = true };
+        Info = new CommandInfo(name, CommandGroup.View) { IsTransparent = true };
         (_variable, _excluded) = (variable, excluded);
     }
 

@@ -10,7 +10,7 @@ internal sealed class SystemVariableCommand : ISettingCommand
     private SystemVariableCommand(SystemVariable variable)
     {
         _variable = variable;
-        Info = new CommandInfo(variable.Name, CommandGroup.Setting) { Transparent = true };
+        Info = new CommandInfo(variable.Name, CommandGroup.Setting) { IsTransparent = true };
     }
 
     /// <summary>One for each variable that is not a command of another kind.</summary>
@@ -18,13 +18,13 @@ internal sealed class SystemVariableCommand : ISettingCommand
 
     public CommandInfo Info { get; }
 
-    public string ValueText(CommandContext context) => NumberPrompt.Show(_variable.Read(context));
+    public string ValueText(CommandContext context) => NumberPrompt.Format(_variable.Read(context));
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var prompt = new NumberPrompt(Wording.Get("Settings.EnterNewValue", _variable.Name))
         {
-            Default = ValueText(context), Least = _variable.Least, Most = _variable.Most, Whole = _variable.Whole,
+            Default = ValueText(context), Min = _variable.Min, Max = _variable.Max, IsInteger = _variable.IsInteger,
         };
         _variable.Write(context, await context.ValueAsync(prompt).ConfigureAwait(false));
     }

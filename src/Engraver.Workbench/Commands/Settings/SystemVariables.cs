@@ -10,26 +10,26 @@ public static class SystemVariables
 {
     private static readonly IReadOnlyList<(SystemVariable Variable, Func<ViewState, double, ViewState>? InView)> s_table =
     [
-        Kept("CURSORSIZE", 5, 1, 100),
-        Kept("PICKBOX", 5, 1, 50),
-        Kept("APERTURE", 10, 1, 50),
-        Kept("ZOOMFACTOR", 60, 3, 100),
-        Kept("ZOOMWHEEL", 0, 0, 1),
-        Kept("FILEDIA", 1, 0, 1),
-        Kept("CMDECHO", 1, 0, 1),
-        Kept(Luprec, 4, 0, 8),
-        Kept(Auprec, 2, 0, 8),
-        Kept(CncTraceColor, 1, 0, 2),
-        Kept(AutoWalk, 0, 0, 1),
-        Seen("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
-        Seen("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0, Polar = v.Polar && x == 0.0 }),
-        Seen("POLARTRACK", 0, 0, 1, true, v => v.Polar ? 1 : 0, (v, x) => v with { Polar = x != 0.0, Ortho = v.Ortho && x == 0.0 }),
-        Seen("POLARANG", 90, 0.1, 180, false, v => v.PolarAngle, (v, x) => v with { PolarAngle = x }),
-        Seen("GRIDMODE", 1, 0, 1, true, v => v.Grid ? 1 : 0, (v, x) => v with { Grid = x != 0.0 }),
-        Seen("GRIDUNIT", 10, 1e-6, 1e6, false, v => v.GridSpacing, (v, x) => v with { GridSpacing = x }),
-        Seen("SNAPMODE", 0, 0, 1, true, v => v.Snap ? 1 : 0, (v, x) => v with { Snap = x != 0.0 }),
-        Seen("SNAPUNIT", 10, 1e-6, 1e6, false, v => v.SnapSpacing, (v, x) => v with { SnapSpacing = x }),
-        Seen("DYNMODE", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
+        InSettings("CURSORSIZE", 5, 1, 100),
+        InSettings("PICKBOX", 5, 1, 50),
+        InSettings("APERTURE", 10, 1, 50),
+        InSettings("ZOOMFACTOR", 60, 3, 100),
+        InSettings("ZOOMWHEEL", 0, 0, 1),
+        InSettings("FILEDIA", 1, 0, 1),
+        InSettings("CMDECHO", 1, 0, 1),
+        InSettings(Luprec, 4, 0, 8),
+        InSettings(Auprec, 2, 0, 8),
+        InSettings(CncTraceColor, 1, 0, 2),
+        InSettings(AutoWalk, 0, 0, 1),
+        InView("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
+        InView("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0, Polar = v.Polar && x == 0.0 }),
+        InView("POLARTRACK", 0, 0, 1, true, v => v.Polar ? 1 : 0, (v, x) => v with { Polar = x != 0.0, Ortho = v.Ortho && x == 0.0 }),
+        InView("POLARANG", 90, 0.1, 180, false, v => v.PolarAngle, (v, x) => v with { PolarAngle = x }),
+        InView("GRIDMODE", 1, 0, 1, true, v => v.Grid ? 1 : 0, (v, x) => v with { Grid = x != 0.0 }),
+        InView("GRIDUNIT", 10, 1e-6, 1e6, false, v => v.GridSpacing, (v, x) => v with { GridSpacing = x }),
+        InView("SNAPMODE", 0, 0, 1, true, v => v.Snap ? 1 : 0, (v, x) => v with { Snap = x != 0.0 }),
+        InView("SNAPUNIT", 10, 1e-6, 1e6, false, v => v.SnapSpacing, (v, x) => v with { SnapSpacing = x }),
+        InView("DYNMODE", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
     ];
 
     /// <summary>What the colour of a run tells, in the order of <see cref="RunMeasure"/>.</summary>
@@ -45,7 +45,7 @@ public static class SystemVariables
     private const string Auprec = "AUPREC";
 
     /// <summary>How lengths and angles are printed.</summary>
-    public static Figures Figures(this DesktopSettings settings) => new((int)Variable(settings, Luprec), (int)Variable(settings, Auprec));
+    public static DisplayPrecision Figures(this DesktopSettings settings) => new((int)Variable(settings, Luprec), (int)Variable(settings, Auprec));
 
     /// <summary>What the colour of a run tells.</summary>
     public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);
@@ -56,7 +56,7 @@ public static class SystemVariables
     internal static SystemVariable Find(string name) => All.First(variable => variable.Name == name);
 
     /// <summary>The value of a system variable: the kept one, else that of the first start.</summary>
-    public static double Variable(this DesktopSettings settings, string name) => settings.Variables.TryGetValue(name, out var kept) && Find(name) is var variable && kept >= variable.Least && kept <= variable.Most ? kept : Find(name).First;
+    public static double Variable(this DesktopSettings settings, string name) => settings.Variables.TryGetValue(name, out var kept) && Find(name) is var variable && kept >= variable.Min && kept <= variable.Max ? kept : Find(name).First;
 
     /// <summary>The view as it was left: switches, spacings, theme.</summary>
     public static ViewState Restore(ViewState view, DesktopSettings settings) => s_table
@@ -66,22 +66,16 @@ public static class SystemVariables
     /// <summary>It belongs to the view: a drafting aid.</summary>
     internal static bool IsInView(string name) => s_table.First(row => row.Variable.Name == name).InView is not null;
 
-    private static (SystemVariable Variable, Func<ViewState, double, ViewState>? InView) Kept(string name, double first, double least, double most) =>
-        (new SystemVariable(name, first, least, most, Whole: true, context => Variable(context.Settings.Current, name), (context, value) => Keep(context, name, value)), null);
+    private static (SystemVariable Variable, Func<ViewState, double, ViewState>? InView) InSettings(string name, double first, double min, double max) =>
+        (new SystemVariable(name, first, min, max, IsInteger: true, context => Variable(context.Settings.Current, name), (context, value) => Save(context, name, value)), null);
 
-    private static (SystemVariable Variable, Func<ViewState, double, ViewState>? InView) Seen(
+    private static (SystemVariable Variable, Func<ViewState, double, ViewState>? InView) InView(
         string name, double first, double least, double most, bool whole, Func<ViewState, double> read, Func<ViewState, double, ViewState> write) =>
         (new SystemVariable(name, first, least, most, whole, context => read(context.View.Current), (context, value) =>
         {
             context.View.Change(view => write(view, value));
-            Keep(context, name, value);
+            Save(context, name, value);
         }), write);
 
-    private static void Keep(CommandContext context, string name, double value) => context.Settings.Change(settings => settings.WithVariable(name, value));
+    private static void Save(CommandContext context, string name, double value) => context.Settings.Change(settings => settings.WithVariable(name, value));
 }
-
-/// <summary>A value that is typed by its name, as in AutoCAD.</summary>
-/// <param name="First">Its value at the first start.</param>
-/// <param name="Whole">Only whole numbers.</param>
-internal sealed record SystemVariable(
-    string Name, double First, double Least, double Most, bool Whole, Func<CommandContext, double> Read, Action<CommandContext, double> Write);

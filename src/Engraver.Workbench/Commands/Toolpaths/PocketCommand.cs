@@ -24,20 +24,20 @@ internal sealed class PocketCommand : ICommand
     {
         var selected = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         IReadOnlyList<OffsetContour> contours = [.. selected.All.Select(one => one.Contour)];
-        var (options, depths, isJob) = await new PocketQuestions(context, contours).AskAsync().ConfigureAwait(false);
+        var (options, depths, isJob) = await new PocketPrompts(context, contours).AskAsync().ConfigureAwait(false);
         var drawing = context.Drawing;
         var result = PocketPlanner.Plan(contours, options);
         var cuts = result.Strokes.Count > 0 ? PocketLevels.Of(result, options, depths) : [];
-        FindingMessages.Say(context, drawing.FileName, [.. PocketDrawing.Findings(result, options), .. PocketDrawing.Findings(cuts, depths)], Severity.Info);
+        FindingMessages.Write(context, drawing.FileName, [.. PocketDrawing.Findings(result, options), .. PocketDrawing.Findings(cuts, depths)], Severity.Info);
         if (result is not { Strokes.Count: > 0, Coverage: { } coverage }) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
-        context.Say(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
-        Take(context, drawing, selected.Entities, cuts, isJob);
-        if (isJob) context.Say(Wording.Get("Pocket.IsTheJob", Layer), MessageKind.Result);
-        else context.Say(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
+        context.WriteMessage(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
+        Commit(context, drawing, selected.Entities, cuts, isJob);
+        if (isJob) context.WriteMessage(Wording.Get("Pocket.IsTheJob", Layer), MessageKind.Result);
+        else context.WriteMessage(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
     }
 
-    private static void Take(CommandContext context, Drawing drawing, IReadOnlyList<int> selected, IReadOnlyList<PocketCut> cuts, bool isJob)
+    private static void Commit(CommandContext context, Drawing drawing, IReadOnlyList<int> selected, IReadOnlyList<PocketCut> cuts, bool isJob)
     {
         var layers = drawing.Layers.ToList();
         var layer = layers.FindIndex(known => known.Name.Equals(Layer, StringComparison.OrdinalIgnoreCase));
@@ -53,17 +53,17 @@ internal sealed class PocketCommand : ICommand
         var (added, scale) = (new List<int>(), drawing.Scale.MapToDrawing);
         foreach (var cut in cuts)
         {
-            if (cut.Way.Count > 1)
+            if (cut.Path.Count > 1)
             {
                 added.Add(rebuilt.Count);
-                rebuilt.Add(like, CurveType.Polyline, closed: false, [.. cut.Way.Skip(1).Zip(cut.Way, (to, from) => DrawingPart.Line(0, from.Place.X, from.Place.Y, from.Z, to.Place.X, to.Place.Y, to.Z).Transformed(scale))]);
+                rebuilt.Add(like, CurveType.Polyline, closed: false, [.. cut.Path.Skip(1).Zip(cut.Path, (to, from) => DrawingPart.Line(0, from.Place.X, from.Place.Y, from.Z, to.Place.X, to.Place.Y, to.Z).Transformed(scale))]);
             }
 
             added.Add(rebuilt.Count);
             rebuilt.Add(like, CurveType.LwPolyline, cut.Stroke.Start == cut.Stroke.End, [.. PocketDrawing.SegmentsOf(cut.Stroke).Select(segment => PartOf(segment, cut.Z).Transformed(scale))]);
         }
 
-        DrawingChange.Take(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off } : settings);
+        DrawingChange.Commit(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off } : settings);
     }
 
     private static DrawingPart PartOf(in Segment segment, double z) =>

@@ -8,15 +8,15 @@ namespace Engraver.Workbench.Commands.Trajectories;
 /// it.</summary>
 internal sealed class SaceEditTrajectoryCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_acts = Keyword.List("Name", "Z", "Error", "Steps", "Up", "DOwn", "Delete");
+    private static readonly IReadOnlyList<Keyword> s_actions = Keyword.List("Name", "Z", "Error", "Steps", "Up", "DOwn", "Delete");
 
     public CommandInfo Info { get; } = new("SACEEDITTRAJECTORY", CommandGroup.Trajectory);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var at = await TrajectoryPick.OneAsync(context).ConfigureAwait(false);
-        var act = await context.ChoiceAsync(Wording.Get("Trajectories.WhatToChange"), s_acts, null).ConfigureAwait(false);
-        List<DocumentTrajectory> all = [.. TrajectoryPick.All(context)];
+        var at = await TrajectorySelection.PickOneAsync(context).ConfigureAwait(false);
+        var act = await context.ChoiceAsync(Wording.Get("Trajectories.WhatToChange"), s_actions, null).ConfigureAwait(false);
+        List<DocumentTrajectory> all = [.. TrajectorySelection.All(context)];
         if (act is "Up" or "DOwn")
         {
             var to = act == "Up" ? at - 1 : at + 1;
@@ -25,13 +25,13 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
         }
         else if (act == "Delete")
         {
-            context.Say(Wording.Get("Trajectories.Deleted", all[at].Name));
+            context.WriteMessage(Wording.Get("Trajectories.Deleted", all[at].Name));
             all.RemoveAt(at);
         }
         else
         {
             all[at] = await ChangedAsync(context, all[at], act).ConfigureAwait(false);
-            context.Say(TrajectoryLine.Format(all[at]), MessageKind.Result);
+            context.WriteMessage(TrajectoryLine.Format(all[at]), MessageKind.Result);
         }
 
         TrajectoryChange.All(context, all);
@@ -49,30 +49,30 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
     {
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.NewName")) { Default = one.Name }).ConfigureAwait(false);
         if (!DocumentTrajectory.IsName(name)) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.InvalidName", name));
-        var taken = context.Document.Current.Sidecar.Trajectories.IndexOf(name) is >= 0 and var other && !ReferenceEquals(TrajectoryPick.All(context)[other], one);
+        var taken = context.Document.Current.Sidecar.Trajectories.IndexOf(name) is >= 0 and var other && !ReferenceEquals(TrajectorySelection.All(context)[other], one);
         return taken ? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NameTaken", name)) : one with { Name = name };
     }
 
     private static async Task<DocumentTrajectory> RaisedAsync(CommandContext context, DocumentTrajectory one)
     {
-        var z = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewZ")) { Default = NumberPrompt.Show(one.Curve.Z), Least = -1e6, Most = 1e6 }).ConfigureAwait(false);
+        var z = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewZ")) { Default = NumberPrompt.Format(one.Curve.Z), Min = -1e6, Max = 1e6 }).ConfigureAwait(false);
         return one with { Curve = one.Curve.Moved(z) };
     }
 
     private static async Task<DocumentTrajectory> WithErrorAsync(CommandContext context, DocumentTrajectory one)
     {
-        var error = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewError")) { Default = NumberPrompt.Show(one.MaxErrorMm), Least = 1e-6, Most = 1000.0 }).ConfigureAwait(false);
-        return MadeAnew(one, new TrajectoryOptions(error));
+        var error = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewError")) { Default = NumberPrompt.Format(one.MaxErrorMm), Min = 1e-6, Max = 1000.0 }).ConfigureAwait(false);
+        return Rebuilt(one, new TrajectoryOptions(error));
     }
 
     private static async Task<DocumentTrajectory> WithStepsAsync(CommandContext context, DocumentTrajectory one)
     {
-        var length = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewSteps")) { Default = NumberPrompt.Show(one.SegmentLengthMm ?? TrajectorySettings.Default.SegmentLengthMm), Least = 1e-6, Most = 1e6 }).ConfigureAwait(false);
-        return MadeAnew(one, new TrajectoryOptions(one.MaxErrorMm) { SegmentLength = length });
+        var length = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewSteps")) { Default = NumberPrompt.Format(one.SegmentLengthMm ?? TrajectorySettings.Default.SegmentLengthMm), Min = 1e-6, Max = 1e6 }).ConfigureAwait(false);
+        return Rebuilt(one, new TrajectoryOptions(one.MaxErrorMm) { SegmentLength = length });
     }
 
     /// <summary>Recomputes it from its source; it remains one trajectory, also across corners.</summary>
-    private static DocumentTrajectory MadeAnew(DocumentTrajectory one, TrajectoryOptions options)
+    private static DocumentTrajectory Rebuilt(DocumentTrajectory one, TrajectoryOptions options)
     {
         if (one.IsHelix) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HelixNotEditable", one.Name));
         var planned = TrajectoryPlanner.Plan(one.Curve.Source, one.Curve.Closed, options with { Corners = CornerMode.Continuous, Z = one.Curve.Z });

@@ -18,26 +18,26 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var all = TrajectoryPick.All(context);
-        var option = await context.ChoiceAsync(Wording.Get("Trajectories.Format"), Keyword.List([.. s_formats.Select(one => one.Option)]), context.Remembered("SACE.format", "Sace")).ConfigureAwait(false);
+        var all = TrajectorySelection.All(context);
+        var option = await context.ChoiceAsync(Wording.Get("Trajectories.Format"), Keyword.List([.. s_formats.Select(one => one.Option)]), context.LastValue("SACE.format", "Sace")).ConfigureAwait(false);
         context.Remember("SACE.format", option);
         var format = s_formats.First(one => one.Option == option).Format;
-        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.Folder")) { Default = context.Remembered("SACE.folder", ".") }).ConfigureAwait(false);
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.Folder")) { Default = context.LastValue("SACE.folder", ".") }).ConfigureAwait(false);
         context.Remember("SACE.folder", name);
-        var folder = context.FileToWrite(name);
+        var folder = context.ResolveOutputPath(name);
         var files = Files(context, all, format);
-        await KeepErrorAsync(context, all, format).ConfigureAwait(false);
+        await ConfirmErrorsAsync(context, all, format).ConfigureAwait(false);
         if (files.Any(one => File.Exists(Path.Combine(folder, one.FileName))) && !await context.ConfirmAsync(Wording.Get("Trajectories.ReplaceIn", name)).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
         TrajectoryFolder.Write(folder, files, format);
-        context.Say(Wording.Get("Trajectories.Written", CountText.Format(files.Count, "File"), name));
+        context.WriteMessage(Wording.Get("Trajectories.Written", CountText.Format(files.Count, "File"), name));
     }
 
     /// <summary>Checks the error of formats with equal steps; lines, arcs and velocities are computed from the source and keep the error.</summary>
     /// <exception cref="CommandException">Equal steps exceed the error, and the operator declined.</exception>
-    private static async Task KeepErrorAsync(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
+    private static async Task ConfirmErrorsAsync(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
     {
-        if (format is not (TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline) || TrajectoryExport.NotKept(all).ToList() is not { Count: > 0 } refused) return;
-        FindingMessages.Say(context, context.Drawing.FileName, refused, Severity.Warning);
+        if (format is not (TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline) || TrajectoryExport.ErrorsExceeded(all).ToList() is not { Count: > 0 } refused) return;
+        FindingMessages.Write(context, context.Drawing.FileName, refused, Severity.Warning);
         if (!await context.ConfirmAsync(Wording.Get("Trajectories.ExportAnyway")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
     }
 
@@ -48,7 +48,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
         foreach (var one in all)
         {
             var made = TrajectoryExport.Files(one, format, context.Document.Current.Settings.Machine);
-            if (made.Count == 0) findings.Add(TrajectoryRules.ErrorNotKept.At(default, NumberPrompt.Show(one.MaxErrorMm), NumberPrompt.Show(Math.Round(one.Curve.Length, 6)), NumberPrompt.Show(one.Curve.Start.X), NumberPrompt.Show(one.Curve.Start.Y)));
+            if (made.Count == 0) findings.Add(TrajectoryRules.ErrorNotKept.At(default, NumberPrompt.Format(one.MaxErrorMm), NumberPrompt.Format(Math.Round(one.Curve.Length, 6)), NumberPrompt.Format(one.Curve.Start.X), NumberPrompt.Format(one.Curve.Start.Y)));
             foreach (var (file, i) in made.Select((file, i) => (file, i)))
             {
                 var name = (made.Count == 1 ? one.Name : $"{one.Name}-{i}") + ".txt";
@@ -57,7 +57,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
             }
         }
 
-        FindingMessages.Say(context, context.Drawing.FileName, findings, Severity.Warning);
+        FindingMessages.Write(context, context.Drawing.FileName, findings, Severity.Warning);
         return findings.TrueForAll(found => found.Severity < Severity.Error) ? files : throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
     }
 }

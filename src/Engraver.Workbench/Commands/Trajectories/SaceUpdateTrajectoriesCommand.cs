@@ -13,13 +13,13 @@ internal sealed class SaceUpdateTrajectoriesCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        List<DocumentTrajectory> all = [.. TrajectoryPick.All(context)];
+        List<DocumentTrajectory> all = [.. TrajectorySelection.All(context)];
         var edits = new TrajectoryEdits(context.Drawing);
-        var remaking = new TrajectoryRemaking(context.Drawing, context.Document.Current, edits);
+        var remaking = new TrajectoryUpdate(context.Drawing, context.Document.Current, edits);
         var groups = all.Where(edits.IsStale).GroupBy(one => one.Origin!.Group).Select(group => group.ToList()).ToList();
         if (groups.Count == 0)
         {
-            context.Say(Wording.Get("Trajectories.NoneEdited"));
+            context.WriteMessage(Wording.Get("Trajectories.NoneEdited"));
             return Task.CompletedTask;
         }
 
@@ -27,7 +27,7 @@ internal sealed class SaceUpdateTrajectoriesCommand : ICommand
         foreach (var group in groups)
         {
             cancellation.ThrowIfCancellationRequested();
-            if (remaking.Anew(group) is { Count: > 0 } anew)
+            if (remaking.Rebuild(group) is { Count: > 0 } anew)
             {
                 all.InsertRange(all.IndexOf(group[0]), anew);
                 all.RemoveAll(group.ToHashSet<object>(ReferenceEqualityComparer.Instance).Contains);
@@ -35,13 +35,13 @@ internal sealed class SaceUpdateTrajectoriesCommand : ICommand
             }
             else
             {
-                context.Say(Wording.Get("Trajectories.SourceGone", string.Join(", ", group.Select(one => one.Name))), MessageKind.Warning);
+                context.WriteMessage(Wording.Get("Trajectories.SourceGone", string.Join(", ", group.Select(one => one.Name))), MessageKind.Warning);
             }
         }
 
-        FindingMessages.Say(context, context.Drawing.FileName, remaking.Findings, Severity.Warning);
+        FindingMessages.Write(context, context.Drawing.FileName, remaking.Findings, Severity.Warning);
         if (made.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NoneMade"));
-        foreach (var one in made) context.Say(TrajectoryLine.Format(one), MessageKind.Result);
+        foreach (var one in made) context.WriteMessage(TrajectoryLine.Format(one), MessageKind.Result);
         TrajectoryChange.All(context, all, remaking.NextNumber);
         return Task.CompletedTask;
     }

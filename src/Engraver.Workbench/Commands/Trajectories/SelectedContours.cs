@@ -24,10 +24,10 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     /// <exception cref="CommandException">The selection has no entity with a length.</exception>
     public static async Task<SelectedContours> TakeAsync(CommandContext context)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
         var (contours, findings) = Of(context.Drawing, context.Document.Current.Settings, selected);
         if (contours.All.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NothingToFollow"));
-        FindingMessages.Say(context, context.Drawing.FileName, findings.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
+        FindingMessages.Write(context, context.Drawing.FileName, findings.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
         return contours;
     }
 

@@ -10,9 +10,9 @@ internal static class TrajectoryPrompts
     /// <summary>Name under which all commands remember the removal radius of the tool.</summary>
     private const string Removal = "SACE.removal";
 
-    private const double Least = 1e-6;
+    private const double Min = 1e-6;
 
-    private const double Most = 1e6;
+    private const double Max = 1e6;
 
     /// <summary>The removal radius of the tool.</summary>
     public static Task<double> RemovalRadiusAsync(CommandContext context) => LengthAsync(context, Removal, "Trajectories.RemovalRadius", 0.25);
@@ -26,15 +26,15 @@ internal static class TrajectoryPrompts
     /// <param name="from">First point of the length; null: asks for it too.</param>
     public static async Task<double> LengthAsync(CommandContext context, string memory, string text, double first, Point2D? from = null)
     {
-        var prompt = new AmountPrompt(Wording.Get(text), way => way.Length) { Least = Least, Most = Most, Default = context.Remembered(memory, NumberPrompt.Show(first)), From = from };
+        var prompt = new AmountPrompt(Wording.Get(text), way => way.Length) { Min = Min, Max = Max, Default = context.LastValue(memory, NumberPrompt.Format(first)), From = from };
         while (true)
         {
             switch (await context.ValueAsync(prompt).ConfigureAwait(false))
             {
-                case Amount.Number { Of: var length }:
-                    context.Remember(memory, NumberPrompt.Show(length));
+                case Amount.Number { Value: var length }:
+                    context.Remember(memory, NumberPrompt.Format(length));
                     return length;
-                case Amount.Beginning { At: var place }: prompt = prompt with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Default = null, From = place }; break;
+                case Amount.FirstPoint { Point: var place }: prompt = prompt with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Default = null, From = place }; break;
             }
         }
     }
@@ -43,13 +43,13 @@ internal static class TrajectoryPrompts
     public static async Task<Func<SelectedContour, OffsetSide>> SideAsync(CommandContext context, SelectedContours contours)
     {
         var answer = await context.AskAsync(new PointPrompt(Wording.Get("Trajectories.OffsetSide")) { Options = Keyword.List("Left", "Right", "In", "Out") }).ConfigureAwait(false);
-        if (answer is Answer<Point2D>.Chosen { Option: var named })
+        if (answer is Answer<Point2D>.SelectedOption { Option: var named })
         {
             var side = Enum.Parse<OffsetSide>(named);
             return _ => side;
         }
 
-        var place = context.Drawing.Scale.ToMillimetres(((Answer<Point2D>.Value)answer).Of);
+        var place = context.Drawing.Scale.ToMillimetres(((Answer<Point2D>.Value)answer).Result);
         return contour => contours.SideOf(contour, place);
     }
 }

@@ -7,15 +7,15 @@ namespace Engraver.Workbench.Commands.View;
 /// <summary>OSNAP: Selects the object snap modes, or switches object snap on or off.</summary>
 internal sealed class OsnapCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("OSNAP", CommandGroup.View) { Transparent = true };
+    public CommandInfo Info { get; } = new("OSNAP", CommandGroup.View) { IsTransparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var modes = SystemVariables.Find("OSMODE");
         var prompt = new TextPrompt(Wording.Get("Osnap.EnterModes")) { Options = Keyword.List("ON", "OFF"), Default = SnapNames.Text((int)modes.Read(context)) };
         var answer = await context.AskAsync(prompt).ConfigureAwait(false);
-        if (answer is Answer<string>.Value { Of: var typed }) modes.Write(context, Bits(typed));
-        var off = answer is Answer<string>.Chosen { Option: "OFF" };
+        if (answer is Answer<string>.Value { Result: var typed }) modes.Write(context, Bits(typed));
+        var off = answer is Answer<string>.SelectedOption { Option: "OFF" };
         context.View.Change(view => view with { ObjectSnap = !off });
     }
 

@@ -12,14 +12,14 @@ internal sealed class ShowCommand : ICommand
     private static readonly IReadOnlyList<Keyword> s_options =
         Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "RECorded", "WorkOrigin", "Trajectories", "All", "None");
 
-    public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { Transparent = true };
+    public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { IsTransparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var option = await context.ChoiceAsync(Wording.Get("Show.EnterDisplayItem"), s_options, "?").ConfigureAwait(false);
         if (option == "?")
         {
-            context.SayResult(output => Write(context.View.Current.Shown, output));
+            context.WriteResult(output => Write(context.View.Current.Shown, output));
             return;
         }
 

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.View;
 /// <summary>THEME: Chooses the dark, the light or the high-contrast desktop.</summary>
 internal sealed class ThemeCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("THEME", CommandGroup.View) { Transparent = true };
+    public CommandInfo Info { get; } = new("THEME", CommandGroup.View) { IsTransparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

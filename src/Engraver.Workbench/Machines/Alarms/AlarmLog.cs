@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Machines.Alarms;
 public sealed class AlarmLog(TimeProvider time)
 {
     /// <summary>Maximum number of alarms; beyond it cleared ones are removed.</summary>
-    private const int MostKept = 500;
+    private const int MaxKept = 500;
 
     private readonly Lock _guard = new();
     private readonly List<Alarm> _alarms = [];
@@ -37,10 +37,10 @@ public sealed class AlarmLog(TimeProvider time)
         lock (_guard)
         {
             var at = _alarms.FindLastIndex(alarm => alarm.Cause == cause && alarm.Where == where && alarm.State != AlarmState.Cleared);
-            raised = at >= 0 ? Again(_alarms[at], what, toDo) : First(cause, what, where, toDo);
+            raised = at >= 0 ? RaiseAgain(_alarms[at], what, toDo) : RaiseNew(cause, what, where, toDo);
             if (at >= 0) _alarms[at] = raised;
             else _alarms.Add(raised);
-            Forget();
+            RemoveOldest();
         }
 
         Changed?.Invoke(this, EventArgs.Empty);
@@ -48,19 +48,19 @@ public sealed class AlarmLog(TimeProvider time)
     }
 
     /// <summary>Clears a cause. Its alarm stays open until it is acknowledged.</summary>
-    public void Clear(AlarmCause cause) => Replace(alarm => alarm.Cause == cause && alarm.IsActive ? Gone(alarm) : alarm);
+    public void Clear(AlarmCause cause) => Replace(alarm => alarm.Cause == cause && alarm.IsActive ? AsCleared(alarm) : alarm);
 
     /// <summary>Acknowledges an alarm. Resets nothing.</summary>
     /// <returns>False if there is no such alarm, or it needs no acknowledgement.</returns>
-    public bool Acknowledge(int number) => Replace(alarm => alarm.Number == number ? Seen(alarm) : alarm) > 0;
+    public bool Acknowledge(int number) => Replace(alarm => alarm.Number == number ? AsAcknowledged(alarm) : alarm) > 0;
 
     /// <returns>The number of acknowledged alarms.</returns>
-    public int AcknowledgeAll() => Replace(Seen);
+    public int AcknowledgeAll() => Replace(AsAcknowledged);
 
-    private Alarm First(AlarmCause cause, string what, string where, string toDo) =>
+    private Alarm RaiseNew(AlarmCause cause, string what, string where, string toDo) =>
         new(++_number, time.GetUtcNow(), cause, what, where, toDo) { IsFirstOut = _alarms.TrueForAll(alarm => alarm.State == AlarmState.Cleared) };
 
-    private Alarm Again(Alarm alarm, string what, string toDo) => alarm with
+    private Alarm RaiseAgain(Alarm alarm, string what, string toDo) => alarm with
     {
         What = what,
         ToDo = toDo,
@@ -69,9 +69,9 @@ public sealed class AlarmLog(TimeProvider time)
         State = alarm.State == AlarmState.Acknowledged ? AlarmState.Acknowledged : AlarmState.Unacknowledged,
     };
 
-    private static Alarm Gone(Alarm alarm) => alarm with { State = alarm.State == AlarmState.Acknowledged ? AlarmState.Cleared : AlarmState.ClearedUnacknowledged };
+    private static Alarm AsCleared(Alarm alarm) => alarm with { State = alarm.State == AlarmState.Acknowledged ? AlarmState.Cleared : AlarmState.ClearedUnacknowledged };
 
-    private static Alarm Seen(Alarm alarm) => alarm.State switch
+    private static Alarm AsAcknowledged(Alarm alarm) => alarm.State switch
     {
         AlarmState.Unacknowledged => alarm with { State = AlarmState.Acknowledged },
         AlarmState.ClearedUnacknowledged => alarm with { State = AlarmState.Cleared },
@@ -96,22 +96,8 @@ public sealed class AlarmLog(TimeProvider time)
         return changed;
     }
 
-    private void Forget()
+    private void RemoveOldest()
     {
-        while (_alarms.Count > MostKept && _alarms.FindIndex(alarm => alarm.State == AlarmState.Cleared) is >= 0 and var oldest) _alarms.RemoveAt(oldest);
+        while (_alarms.Count > MaxKept && _alarms.FindIndex(alarm => alarm.State == AlarmState.Cleared) is >= 0 and var oldest) _alarms.RemoveAt(oldest);
     }
-}
-
-/// <summary>The alarm states of ISA-18.2. Acknowledging resets nothing.</summary>
-public enum AlarmState
-{
-    Unacknowledged,
-
-    Acknowledged,
-
-    /// <summary>The cause is cleared but the alarm is not acknowledged: it stays in the list.</summary>
-    ClearedUnacknowledged,
-
-    /// <summary>The cause is cleared and the alarm was acknowledged.</summary>
-    Cleared,
 }

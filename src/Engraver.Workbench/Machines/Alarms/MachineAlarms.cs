@@ -10,30 +10,30 @@ internal static class MachineAlarms
         log.Raise(AlarmCause.LinkLost, why, link, Wording.Get("MachineAlarms.CheckCable"));
 
     public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
-        log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.CorrectAndRepeat"));
+        log.Raise(AlarmCause.Refused, refused.Message, link, Wording.Get("MachineAlarms.CorrectAndRepeat"));
 
     /// <summary>Raises and clears alarms from a reading of the controller.</summary>
     /// <param name="axes">Names of the axes.</param>
     /// <param name="ended">A job that has ended since the last reading: a new cause in this reading has ended it, and both are one alarm. Null for
     /// none.</param>
-    public static void Seen(AlarmLog log, MachineReading poll, MachineAxes axes, string link, JobResult? ended = null)
+    public static void Polled(AlarmLog log, MachineReading poll, MachineAxes axes, string link, JobResult? ended = null)
     {
         log.Clear(AlarmCause.LinkLost);
-        if (ended is { Outcome: JobOutcome.Complete or JobOutcome.Deviated }) ended = Told(log, ended, link);
-        if (Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStop"), link, ended)) ended = null;
-        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisOff", axes.NamesOf(poll.LostPosition)), Wording.Get("MachineAlarms.FreeAxis"), link, ended)) ended = null;
-        if (Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.LimitSwitchActive", poll.Limit), Wording.Get("MachineAlarms.MoveOffSwitch"), link, ended)) ended = null;
-        if (ended is not null) Ended(log, ended, link);
+        if (ended is { Outcome: JobOutcome.Complete or JobOutcome.Deviated }) ended = ReportEnded(log, ended, link);
+        if (Update(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStop"), link, ended)) ended = null;
+        if (Update(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisOff", axes.NamesOf(poll.LostPosition)), Wording.Get("MachineAlarms.FreeAxis"), link, ended)) ended = null;
+        if (Update(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.LimitSwitchActive", poll.Limit), Wording.Get("MachineAlarms.MoveOffSwitch"), link, ended)) ended = null;
+        if (ended is not null) JobEnded(log, ended, link);
     }
 
-    private static JobResult? Told(AlarmLog log, JobResult ended, string link)
+    private static JobResult? ReportEnded(AlarmLog log, JobResult ended, string link)
     {
-        Ended(log, ended, link);
+        JobEnded(log, ended, link);
         return null;
     }
 
     /// <summary>Raises the alarm of a job that did not complete.</summary>
-    public static void Ended(AlarmLog log, JobResult result, string link)
+    public static void JobEnded(AlarmLog log, JobResult result, string link)
     {
         var cause = result switch
         {
@@ -44,21 +44,21 @@ internal static class MachineAlarms
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
-        if (cause is { } raised) log.Raise(raised, result.Sentence, Where(result, link), Wording.Get("MachineAlarms.CheckWorkpiece"));
+        if (cause is { } raised) log.Raise(raised, result.Message, Where(result, link), Wording.Get("MachineAlarms.CheckWorkpiece"));
     }
 
     /// <summary>Clears the alarms of an earlier job when a new one starts.</summary>
-    public static void Begun(AlarmLog log)
+    public static void JobStarted(AlarmLog log)
     {
         foreach (var cause in new[] { AlarmCause.JobStopped, AlarmCause.Deviated, AlarmCause.Refused, AlarmCause.WatchdogTripped }) log.Clear(cause);
     }
 
     /// <returns>True if it was raised by this call.</returns>
-    private static bool Standing(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link, JobResult? ended)
+    private static bool Update(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link, JobResult? ended)
     {
         if (!stands) log.Clear(cause);
         if (!stands || log.Open.Any(alarm => alarm.Cause == cause && alarm.IsActive)) return false;
-        log.Raise(cause, ended is null ? what : Wording.Get("MachineAlarms.AlarmAndJobResult", what, ended.Sentence), ended is null ? link : Where(ended, link), toDo);
+        log.Raise(cause, ended is null ? what : Wording.Get("MachineAlarms.AlarmAndJobResult", what, ended.Message), ended is null ? link : Where(ended, link), toDo);
         return true;
     }
 

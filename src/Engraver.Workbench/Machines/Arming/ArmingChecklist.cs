@@ -14,7 +14,7 @@ namespace Engraver.Workbench.Machines.Arming;
 public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 {
     /// <summary>Maximum age of a controller status that counts as current.</summary>
-    public static readonly TimeSpan FreshFor = TimeSpan.FromSeconds(2);
+    public static readonly TimeSpan MaxStatusAge = TimeSpan.FromSeconds(2);
 
     public bool Passed => Checks.All(check => check.Passed);
 
@@ -22,45 +22,45 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <param name="placement">The placement of the job on this machine; null if unknown.</param>
     /// <param name="now">Time by the clock of the status: outdated values do not pass.</param>
     /// <param name="certificate">The certificate check, with commands by their keys; null if it was not checked.</param>
-    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, ArmingCheck? certificate = null) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop, certificate);
+    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, ArmingCheck? certificate = null) => Create(job, status, errorsAccepted, placement, now, CheckTerminology.Desktop, certificate);
 
     /// <summary>The same for the console, with a status that was just polled. There is no ARM: errors of the drawing were accepted, and a job switches on
     /// motors that are off.</summary>
     /// <param name="profile">Profile of the machine on which the job was placed.</param>
     /// <param name="certificate">As for <see cref="Create(PreparedJob, MachineStatus, bool, PlacementResult, DateTimeOffset, ArmingCheck)"/>.</param>
-    public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement, ArmingCheck? certificate = null) =>
-        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console, certificate);
+    public static ArmingChecklist ForConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement, ArmingCheck? certificate = null) =>
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckTerminology.Console, certificate);
 
     /// <summary>The same for a frame run with the tool off.</summary>
     /// <param name="placement">The placement of the frame.</param>
-    public static ArmingChecklist OfFrameOnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
-        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" }, certificate: null);
+    public static ArmingChecklist ForFrameOnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckTerminology.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" }, certificate: null);
 
     /// <summary>The first line that prevents the start; null if there is none.</summary>
-    public string? WhyNot => Checks.FirstOrDefault(check => !check.Passed)?.Sentence;
+    public string? FailureText => Checks.FirstOrDefault(check => !check.Passed)?.Message;
 
     /// <summary>Only the checks of the machine, without a prepared job.</summary>
-    public static ArmingChecklist OfMachineAlone(MachineStatus status, DateTimeOffset now) => new([.. OfMachine(status, now, CheckSpeech.Desktop), .. LastJob(status)]);
+    public static ArmingChecklist ForMachine(MachineStatus status, DateTimeOffset now) => new([.. OfMachine(status, now, CheckTerminology.Desktop), .. LastJob(status)]);
 
-    private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckSpeech speech, ArmingCheck? certificate) => new(
+    private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckTerminology speech, ArmingCheck? certificate) => new(
     [
         .. OfDrawing(job, errorsAccepted, speech),
-        .. certificate is null ? Array.Empty<ArmingCheck>() : [certificate with { Sentence = speech.Spell(certificate.Sentence) }],
+        .. certificate is null ? Array.Empty<ArmingCheck>() : [certificate with { Message = speech.ApplyTerminology(certificate.Message) }],
         .. OfMachine(status, now, speech),
-        Asked(status, now, Origin(job, placement, speech)),
-        .. Travel(job, placement, speech).Select(check => Asked(status, now, check)),
+        UnlessStale(status, now, Origin(job, placement, speech)),
+        .. Travel(job, placement, speech).Select(check => UnlessStale(status, now, check)),
         .. Warnings(job, speech),
         .. LastJob(status),
     ]);
 
-    private static IEnumerable<ArmingCheck> OfDrawing(PreparedJob job, bool errorsAccepted, CheckSpeech speech)
+    private static IEnumerable<ArmingCheck> OfDrawing(PreparedJob job, bool errorsAccepted, CheckTerminology speech)
     {
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
-        yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : speech.Spell(Wording.Get(errorsAccepted ? "ArmingChecklist.DrawingHasAcceptedErrors" : "ArmingChecklist.DrawingHasErrors", CountText.Format(errors, "Error"))));
-        yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobSize", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram);
+        yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : speech.ApplyTerminology(Wording.Get(errorsAccepted ? "ArmingChecklist.DrawingHasAcceptedErrors" : "ArmingChecklist.DrawingHasErrors", CountText.Format(errors, "Error"))));
+        yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobSize", CountText.Format(program.SegmentCount, "Segment")) : job.NoProgramReason);
     }
 
-    private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
+    private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckTerminology speech)
     {
         yield return Link(status, now, speech);
         if (status.Link is null) yield break;
@@ -72,46 +72,46 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitSwitchActive") : Wording.Get("ArmingChecklist.LimitSwitchActive", status.Limit)),
             Check(status.State != MachineState.EmergencyStopOpen, Wording.Get(status.State == MachineState.EmergencyStopOpen ? "ArmingChecklist.AbortInputActive" : "ArmingChecklist.AbortInputInactive")),
         ];
-        foreach (var check in said) yield return Asked(status, now, check);
+        foreach (var check in said) yield return UnlessStale(status, now, check);
     }
 
     /// <summary>Passes only if the controller has answered recently.</summary>
-    private static ArmingCheck Link(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
+    private static ArmingCheck Link(MachineStatus status, DateTimeOffset now, CheckTerminology speech)
     {
         if (status.Link is not { } link) return Check(false, speech.Text("ArmingChecklist.NoController"));
-        if (status.IsLinkLost) return Check(false, speech.Spell(Wording.Get("ArmingChecklist.LinkLost", link)));
-        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkUp", link)) : Check(false, speech.Spell(Wording.Get("ArmingChecklist.NoReplyFor", link, Math.Floor((now - status.Time).TotalSeconds))));
+        if (status.IsLinkLost) return Check(false, speech.ApplyTerminology(Wording.Get("ArmingChecklist.LinkLost", link)));
+        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkUp", link)) : Check(false, speech.ApplyTerminology(Wording.Get("ArmingChecklist.NoReplyFor", link, Math.Floor((now - status.Time).TotalSeconds))));
     }
 
-    private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= FreshFor;
+    private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= MaxStatusAge;
 
     /// <summary>An outdated check counts as unknown: neither passed nor failed.</summary>
-    private static ArmingCheck Asked(MachineStatus status, DateTimeOffset now, ArmingCheck check) =>
-        status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.LastKnown", check.Sentence)) { IsAsked = false };
+    private static ArmingCheck UnlessStale(MachineStatus status, DateTimeOffset now, ArmingCheck check) =>
+        status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.LastKnown", check.Message)) { IsCurrent = false };
 
     /// <summary>Warnings: assumed units, unrealistic sizes, visible but uncut entities.</summary>
-    private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckSpeech speech) =>
+    private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckTerminology speech) =>
         job.Drawing.Diagnostics.Where(found => found.Id == DxfRules.UnitsAssumed.Id).Concat(job.Findings.Where(found => found.Severity == Severity.Warning))
             .Select(found => Warning(speech.Finding(found).TrimEnd('.')) with { IsFinding = true });
 
     /// <summary>Without a check for a job that exceeds the travel: it has no placement, which the origin check reports.</summary>
-    private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
+    private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckTerminology speech)
     {
-        if (placement is { Frame: not null, StaysInside: true } && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
+        if (placement is { Frame: not null, IsWithinTravel: true } && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
     }
 
-    private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
+    private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckTerminology speech)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.WorkOriginUnknown"));
         var machine = job.Settings.Machine;
         var scale = machine.Height is null ? machine.Scale with { Z = default } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
-        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PlaceText.Show(frame, scale)));
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PositionText.Format(frame, scale)));
     }
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
     {
         if (status.LastOutcome is { } outcome and not JobOutcome.Complete)
-            yield return Warning(outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.LastJobDeviated") : Wording.Get("ArmingChecklist.LastJobEndedEarly", OutcomeText.Said(outcome)));
+            yield return Warning(outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.LastJobDeviated") : Wording.Get("ArmingChecklist.LastJobEndedEarly", OutcomeText.DisplayText(outcome)));
     }
 
     internal static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
@@ -133,41 +133,20 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 }
 
 /// <summary>Terminology of the front end: commands of the desktop, or verbs and options of the console.</summary>
-internal sealed record CheckSpeech(Func<Diagnostic, Diagnostic> Translate, Func<string, string> Spell, bool SwitchesMotors)
+internal sealed record CheckTerminology(Func<Diagnostic, Diagnostic> Translate, Func<string, string> ApplyTerminology, bool SwitchesMotors)
 {
-    public static CheckSpeech Desktop { get; } = new(SettingWording.AtCommandLine, SettingWording.AtCommandLine, SwitchesMotors: false);
+    public static CheckTerminology Desktop { get; } = new(SettingWording.AtCommandLine, SettingWording.AtCommandLine, SwitchesMotors: false);
 
-    public static CheckSpeech Console { get; } = new(SettingWording.OnConsole, SettingWording.OnConsole, SwitchesMotors: true);
+    public static CheckTerminology Console { get; } = new(SettingWording.OnConsole, SettingWording.OnConsole, SwitchesMotors: true);
 
     /// <summary>Text key of the check that the job stays inside the travel.</summary>
     public string StaysInside { get; init; } = "ArmingChecklist.StaysInside";
 
     /// <summary>A text with its settings and commands named for the front end.</summary>
-    public string Text(string key) => Spell(Wording.Get(key));
+    public string Text(string key) => ApplyTerminology(Wording.Get(key));
 
     public string Finding(Diagnostic found) => Translate(found).Message;
 
     /// <summary>The check of motors that are off.</summary>
     public ArmingCheck Motors() => SwitchesMotors ? ArmingChecklist.Warning(Wording.Get("ArmingChecklist.JobSwitchesMotorsOn")) : ArmingChecklist.Check(false, Text("ArmingChecklist.MotorsOff"));
-}
-
-/// <summary>One start check.</summary>
-/// <param name="Passed">True if it passed.</param>
-/// <param name="Sentence">What was checked and, if it failed, what to do.</param>
-public sealed record ArmingCheck(bool Passed, string Sentence)
-{
-    /// <summary>True if it does not prevent arming, but the operator must acknowledge it.</summary>
-    public bool IsWarning { get; init; }
-
-    /// <summary>False if the value from the controller is outdated and therefore unknown.</summary>
-    public bool IsAsked { get; init; } = true;
-
-    /// <summary>True for information that is neither passed nor failed.</summary>
-    public bool IsNote { get; init; }
-
-    /// <summary>True for a finding of the drawing, which is also in the list of findings.</summary>
-    public bool IsFinding { get; init; }
-
-    /// <summary>The displayed line.</summary>
-    public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Warning", { IsAsked: false } => "CncArm.Unknown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }

@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Machines.Arming;
 public sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
 {
     /// <summary>A job stays armed for this long.</summary>
-    public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);
+    public static readonly TimeSpan ArmingPeriod = TimeSpan.FromSeconds(60);
 
     private readonly Lock _guard = new();
     private ArmedJob? _armed;
@@ -24,12 +24,12 @@ public sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposabl
 
     internal ArmedJob Arm(PreparedJob job, ExecutionStrategy strategy, bool dryRun, ArmingChecklist checklist)
     {
-        var armed = new ArmedJob(job, strategy, dryRun, checklist, time.GetUtcNow() + Lasts);
+        var armed = new ArmedJob(job, strategy, dryRun, checklist, time.GetUtcNow() + ArmingPeriod);
         lock (_guard)
         {
             _end?.Dispose();
             _armed = armed;
-            _end = time.CreateTimer(_ => Disarm(), null, Lasts, Timeout.InfiniteTimeSpan);
+            _end = time.CreateTimer(_ => Disarm(), null, ArmingPeriod, Timeout.InfiniteTimeSpan);
         }
 
         changed();
@@ -57,8 +57,3 @@ public sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposabl
         lock (_guard) _end?.Dispose();
     }
 }
-
-/// <summary>An armed job, which may be started until a time or until a checked condition changes.</summary>
-/// <param name="Job">Prepared in the style of the strategy.</param>
-/// <param name="Until">Time at which arming expires.</param>
-public sealed record ArmedJob(PreparedJob Job, ExecutionStrategy Strategy, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);

@@ -7,26 +7,26 @@ namespace Engraver.Workbench.Machines.Origins;
 /// <summary>The leased machine and the position that its controller reported last, from which placements are computed without asking again.</summary>
 /// <param name="lease">Owned: it is released with this.</param>
 /// <param name="place">As it was reported when the machine was leased.</param>
-internal sealed class LocatedMachine(MachineHold lease, ControllerPlace place) : IDisposable
+internal sealed class LocatedMachine(MachineLease lease, ControllerPosition place) : IDisposable
 {
-    private volatile ControllerPlace _place = place;
+    private volatile ControllerPosition _place = place;
 
-    public MachineHold Lease => lease;
+    public MachineLease Lease => lease;
 
     /// <summary>Takes a position that the controller has reported now.</summary>
-    public void Recognise(ControllerPlace reported)
+    public void Recognise(ControllerPosition reported)
     {
         _place = reported;
-        lease.Recognise(reported);
+        lease.CompareZero(reported);
     }
 
     /// <summary>Records what a poll shows: where the machine is, and whether steps may have been lost.</summary>
     /// <param name="isRunning">A motion of this program is under way, which records its end itself.</param>
     public void Record(MachineReading poll, bool isRunning, MachineAxes axes)
     {
-        if (!poll.Moves) lease.KeepStoppedHard(_place with { Position = poll.Position }, poll.StoppedHard);
-        if (!isRunning) lease.KeepSeen(poll.Position, poll.Moves);
-        if (string.Concat(poll.MotorsOff.Intersect(_place.Uncounted)) is { Length: > 0 } off) lease.KeepLost(Wording.Get("Origins.StepperWasOff", axes.NamesOf(off)));
+        if (!poll.IsMoving) lease.NoteAbruptStop(_place with { Position = poll.Position }, poll.StoppedWithoutRamp);
+        if (!isRunning) lease.NotePosition(poll.Position, poll.IsMoving);
+        if (string.Concat(poll.MotorsOff.Intersect(_place.WithoutEncoder)) is { Length: > 0 } off) lease.NotePositionLost(Wording.Get("Origins.StepperWasOff", axes.NamesOf(off)));
     }
 
     /// <summary>Where the active work origin puts a program, by the position that was reported last.</summary>
@@ -35,7 +35,7 @@ internal sealed class LocatedMachine(MachineHold lease, ControllerPlace place) :
 
     /// <summary>The same by a position that a poll has shown since.</summary>
     /// <param name="polled">The controller's own counts.</param>
-    public PlacementResult Find(MotionProgram program, bool dryRun, CountsPoint polled) => Find(program, dryRun, _place with { Mark = lease.KnowsZero ? lease.Memory.Mark : null, Clock = null, Position = polled });
+    public PlacementResult Find(MotionProgram program, bool dryRun, CountsPoint polled) => Find(program, dryRun, _place with { Mark = lease.IsZeroKnown ? lease.Memory.Mark : null, Clock = null, Position = polled });
 
     /// <summary>Why the active work origin gives no place for a job; null when it gives one.</summary>
     /// <param name="polled">The controller's own counts.</param>
@@ -43,9 +43,9 @@ internal sealed class LocatedMachine(MachineHold lease, ControllerPlace place) :
 
     public void Dispose() => lease.Dispose();
 
-    private PlacementResult Find(MotionProgram program, bool dryRun, ControllerPlace at)
+    private PlacementResult Find(MotionProgram program, bool dryRun, ControllerPosition at)
     {
-        var found = WorkPlacement.Find(lease.Memory, at, new OriginRequest.Work(), program.Profile, program.Start);
+        var found = WorkPlacement.Find(lease.Memory, at, new OriginRequest.ActiveOrigin(), program.Profile, program.Start);
         return program.Strokes.Count == 0 ? found : WorkPlacement.Within(found, program, dryRun, lease.Memory, at);
     }
 }

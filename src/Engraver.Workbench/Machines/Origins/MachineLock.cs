@@ -7,17 +7,17 @@ namespace Engraver.Workbench.Machines.Origins;
 internal sealed class MachineLock : IDisposable
 {
     private const string LockSuffix = ".lock";
-    private const string HolderSuffix = ".holder";
+    private const string OwnerSuffix = ".holder";
     private readonly FileStream _file;
 
     private MachineLock(FileStream file) => _file = file;
 
     /// <param name="path">The locked file.</param>
     /// <param name="machine">Name of the machine for the message.</param>
-    /// <param name="holder">Name of the new owner.</param>
-    /// <exception cref="MachineTakenException">Another host uses it.</exception>
+    /// <param name="owner">Name of the new owner.</param>
+    /// <exception cref="MachineInUseException">Another host uses it.</exception>
     /// <exception cref="IOException">The folder cannot be written.</exception>
-    public static MachineLock Take(string path, string machine, string holder)
+    public static MachineLock Acquire(string path, string machine, string owner)
     {
         FileStream file;
         try
@@ -26,13 +26,13 @@ internal sealed class MachineLock : IDisposable
         }
         catch (IOException taken) when (File.Exists(path + LockSuffix))
         {
-            throw new MachineTakenException(Wording.Get("Origins.InUse", machine, HolderOf(path)), taken);
+            throw new MachineInUseException(Wording.Get("Origins.InUse", machine, OwnerOf(path)), taken);
         }
 
         var kept = false;
         try
         {
-            OutputFile.Write(path + HolderSuffix, text => text.Write(holder));
+            OutputFile.Write(path + OwnerSuffix, text => text.Write(owner));
             kept = true;
             return new MachineLock(file);
         }
@@ -44,26 +44,15 @@ internal sealed class MachineLock : IDisposable
 
     public void Dispose() => _file.Dispose();
 
-    private static string HolderOf(string path)
+    private static string OwnerOf(string path)
     {
         try
         {
-            return File.ReadAllText(path + HolderSuffix) is { Length: > 0 } holder ? holder : Wording.Get("Origins.AnotherProgram");
+            return File.ReadAllText(path + OwnerSuffix) is { Length: > 0 } holder ? holder : Wording.Get("Origins.AnotherProgram");
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
             return Wording.Get("Origins.AnotherProgram");
         }
-    }
-}
-
-/// <summary>Names the host that uses a machine.</summary>
-public static class MachineHolder
-{
-    /// <summary>A phrase that names this process, for the messages of other hosts.</summary>
-    public static string Describe(string program, TimeProvider time)
-    {
-        ArgumentNullException.ThrowIfNull(time);
-        return Wording.Get("Origins.Holder", program, Environment.ProcessId, time.GetLocalNow());
     }
 }

@@ -17,87 +17,30 @@ public sealed class MachineMemories(string? folder)
 
     /// <summary>Acquires the lease of a machine: no other host that uses these files can move it until the lease is disposed.</summary>
     /// <param name="address">Address of the controller.</param>
-    /// <param name="holder">Name of the owner for the messages of other hosts.</param>
-    /// <exception cref="MachineTakenException">Another host uses it.</exception>
+    /// <param name="owner">Name of the owner for the messages of other hosts.</param>
+    /// <exception cref="MachineInUseException">Another host uses it.</exception>
     /// <exception cref="MachineMemoryException">The stored state cannot be read, or the folder cannot be written.</exception>
-    public MachineHold Take(string address, MachineIdentity identity, ControllerPlace place, string holder)
+    public MachineLease Acquire(string address, MachineIdentity identity, ControllerPosition place, string owner)
     {
         ArgumentNullException.ThrowIfNull(identity);
         ArgumentNullException.ThrowIfNull(place);
-        if (folder is null) return new MachineHold();
+        if (folder is null) return new MachineLease();
         var name = place.Serial is { } serial ? Wording.Get("Origins.SerialNumber", identity.Model, serial) : Wording.Get("Origins.At", identity.Model, address);
         var path = Path.Combine(folder, KeyOf(address, identity, place) + ".json");
         try
         {
             Directory.CreateDirectory(folder);
-            var hold = new MachineHold(path, name, MachineLock.Take(path, name, holder));
-            hold.Recognise(place); // A lost position remains recorded, whatever happens afterwards.
+            var hold = new MachineLease(path, name, MachineLock.Acquire(path, name, owner));
+            hold.CompareZero(place); // A lost position remains recorded, whatever happens afterwards.
             return hold;
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {
-            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, SystemReason.Of(unusable)), unusable);
+            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, SystemErrorText.FromException(unusable)), unusable);
         }
     }
 
     /// <summary>The file name of a controller: a hash of its model and its serial number, or of its model and its address if it has none.</summary>
-    private static string KeyOf(string address, MachineIdentity identity, ControllerPlace place) =>
+    private static string KeyOf(string address, MachineIdentity identity, ControllerPosition place) =>
         Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
-}
-
-/// <summary>The machine answers but must not be moved by this host. Nothing was moved.</summary>
-public abstract class MachineUnavailableException : ControllerException
-{
-    protected MachineUnavailableException()
-    {
-    }
-
-    protected MachineUnavailableException(string message)
-        : base(message)
-    {
-    }
-
-    protected MachineUnavailableException(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
-}
-
-/// <summary>Another host uses the machine.</summary>
-public sealed class MachineTakenException : MachineUnavailableException
-{
-    public MachineTakenException()
-    {
-    }
-
-    public MachineTakenException(string message)
-        : base(message)
-    {
-    }
-
-    public MachineTakenException(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
-}
-
-/// <summary>The stored state of a machine cannot be used. Without it the work origin is unknown, so nothing is moved.</summary>
-public sealed class MachineMemoryException : MachineUnavailableException
-{
-    public MachineMemoryException()
-    {
-    }
-
-    public MachineMemoryException(string message)
-        : base(message)
-    {
-    }
-
-    public MachineMemoryException(string message, Exception inner)
-        : base(message, inner)
-    {
-    }
-
-    /// <summary>The state cannot be written: nothing is moved, because the position would be unknown afterwards.</summary>
-    internal static MachineMemoryException NotWritten(string failure) => new(Wording.Get("Origins.NotWritten", failure));
 }

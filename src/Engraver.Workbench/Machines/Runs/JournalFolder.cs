@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Machines.Runs;
 public static class JournalFolder
 {
     /// <summary>The default folder of journals.</summary>
-    internal static string Usual => Path.Combine(UserFiles.Folder, "journals");
+    internal static string Default => Path.Combine(UserFiles.Folder, "journals");
 
     /// <summary>True for a file of a run of the drawing, but not of a drawing whose name only starts the same: the name is followed by the date.</summary>
     internal static bool IsOf(string file, string drawing) => file.Length > drawing.Length + 9 && file.AsSpan(drawing.Length + 1, 8).IndexOfAnyExceptInRange('0', '9') < 0;
@@ -18,7 +18,7 @@ public static class JournalFolder
     /// <summary>The same in a given folder; null for the default.</summary>
     public static string NewJournal(string drawing, string? folder, TimeProvider time)
     {
-        folder ??= Usual;
+        folder ??= Default;
         Directory.CreateDirectory(folder);
         RunBudget.MakeRoom(folder, RunBudget.Megabytes);
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");

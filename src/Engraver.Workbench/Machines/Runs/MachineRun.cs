@@ -33,9 +33,9 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        using var clock = connection.TakeClock();
+        using var clock = connection.CreateClock();
         var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
-        var (kept, unkept) = KeptConversation.Begin(options.JournalPath);
+        var (kept, unkept) = ConversationFile.Create(options.JournalPath);
         var conversation = kept is null ? null : clock.ConversationTo(kept, wall: time);
         MachineRunReport report;
         try
@@ -48,7 +48,7 @@ public static class MachineRun
             if (conversation is not null) await conversation.CloseAsync(stop).ConfigureAwait(false);
         }
 
-        if ((unkept ?? conversation?.Failure) is { } failure) options.Told?.Invoke(PreparationRules.ConversationNotKept.At(default, failure));
+        if ((unkept ?? conversation?.Failure) is { } failure) options.FindingReported?.Invoke(PreparationRules.ConversationNotKept.At(default, failure));
         return report with { TraceFailure = trace?.Failure };
     }
 
@@ -59,7 +59,7 @@ public static class MachineRun
     private static async Task<MachineRunReport> InSessionAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineConversation? conversation, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        await using var machine = await clock.ShakeHandsAsync(connection, trace, conversation, stop).ConfigureAwait(false);
+        await using var machine = await clock.HandshakeAsync(connection, trace, conversation, stop).ConfigureAwait(false);
         try
         {
             return await OnMachineAsync(job, program, machine, connection, options, clock, progress, stop).ConfigureAwait(false);
@@ -70,18 +70,18 @@ public static class MachineRun
         }
     }
 
-    /// <exception cref="MachineTakenException">Another host uses the machine; nothing was moved.</exception>
+    /// <exception cref="MachineInUseException">Another host uses the machine; nothing was moved.</exception>
     /// <exception cref="MachineMemoryException">The work origin cannot be read or written; nothing was moved.</exception>
     private static async Task<MachineRunReport> OnMachineAsync(
         PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
-        if (taken is { IsKept: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
-        var beginning = await JobBeginning.FindAsync(machine, job, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
+        using var taken = options.Lease is null ? options.Memories.Acquire(connection.Description, machine.Identity, await machine.ReadPositionAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.LeaseOwner) : null;
+        if (taken is { IsPersistent: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
+        var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
-        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, options.Lease ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Strategy);
-        var unready = await WhyNotAsync(placement, options.Hold ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
+        var unready = await RefusalAsync(placement, options.Lease ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
         if (unready is not null) return new MachineRunReport(JobResult.NotStarted(placement.Program.Strokes.Count, Wording.Get("MachineRun.NotReady", unready)), RunJudgement.Unknown, machine.Identity.Model, planned);
         var judged = await RunPlacedAsync(job, placement, beginning, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
@@ -100,29 +100,29 @@ public static class MachineRun
     /// <summary>Polls the machine and checks whether the job may start.</summary>
     /// <returns>Why not; null if it may, or without a check.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    private static async Task<string?> WhyNotAsync(JobPlacement placement, MachineHold hold, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, TimeProvider time, CancellationToken stop)
+    private static async Task<string?> RefusalAsync(JobPlacement placement, MachineLease lease, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, TimeProvider time, CancellationToken stop)
     {
-        if (options.MayStart is not { } mayStart) return null;
+        if (options.CheckStart is not { } mayStart) return null;
         var profile = placement.Program.Profile;
         var facts = new MachineFacts
         {
             Link = connection.Description,
             IsSimulation = connection.Simulator is not null,
             Identity = machine.Identity,
-            Poll = await machine.LookAsync(profile.Axes, stop).ConfigureAwait(false),
-            IsHomed = profile.HasHoming ? hold.IsHomed(profile) : null,
-            HomingIsAssumed = hold.Memory.HomingIsAssumed,
-            SeenAt = time.GetUtcNow(),
+            Poll = await machine.ReadStatusAsync(profile.Axes, stop).ConfigureAwait(false),
+            IsHomed = profile.HasHoming ? lease.IsHomed(profile) : null,
+            HomingIsAssumed = lease.Memory.HomingIsAssumed,
+            LastAnswerTime = time.GetUtcNow(),
         };
         return mayStart(facts.ToStatus(profile, armed: null), placement);
     }
 
     /// <param name="frame">Controller counts at the drawing's zero, used for the motion and for the comparison.</param>
     private static async Task<(JobResult Result, RunJudgement Judgement, RunTrace? Trace)> RunPlacedAsync(
-        PreparedJob job, JobPlacement placement, JobBeginning beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob job, JobPlacement placement, ResumePoint beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
-        if (judge is not null) beginning.Tell(judge, placement.Program);
+        if (judge is not null) beginning.FeedJudge(judge, placement.Program);
         var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // Cuts of earlier jobs on the same simulated controller do not count for this one.
         listener?.Start(frame.X, frame.Y, frame.Z);
@@ -135,7 +135,7 @@ public static class MachineRun
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
-            Settings = JobWords.Of(job),
+            Settings = JournalSettings.Of(job),
             DryRun = options.DryRun,
             Control = options.Control,
             From = beginning.Place,
@@ -146,15 +146,15 @@ public static class MachineRun
             Frame = frame,
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             Polled = polled is null ? null : polled.Add,
-            Told = options.Told,
+            Warned = options.FindingReported,
             FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.Named.Where(named => !placement.OpenLoop.Contains(named.Name)).Select(named => named.Axis.Letter)) : "", // a stepper has no position error: its position is what was commanded
         };
-        options.Placed?.Invoke(frame);
-        if (machine.Identity.UntriedFamily is { } family) options.Told?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));
-        if (placement.Untold.Count > 0) options.Told?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.Untold)));
-        placement.Begin();
+        options.FrameFound?.Invoke(frame);
+        if (machine.Identity.UntriedFamily is { } family) options.FindingReported?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));
+        if (placement.UnknownMotorTypes.Count > 0) options.FindingReported?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.UnknownMotorTypes)));
+        placement.NoteStart();
         var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
-        if (placement.End(result) is { } unkept) options.Told?.Invoke(unkept);
+        if (placement.NoteEnd(result) is { } unkept) options.FindingReported?.Invoke(unkept);
         return (result, judgement, Recorded(result, listener, polled, options));
     }
 
@@ -162,7 +162,7 @@ public static class MachineRun
     private static RunTrace? Recorded(JobResult result, RecordListener? listener, PolledJudge? polled, MachineRunOptions options)
     {
         if (result.FrameOrigin is null || (listener?.Trace() ?? polled?.Trace()) is not { } trace) return null;
-        if (KeptTrace.Keep(trace, options.JournalPath) is { } failure) options.Told?.Invoke(PreparationRules.TraceNotKept.At(default, failure));
+        if (TraceFile.Save(trace, options.JournalPath) is { } failure) options.FindingReported?.Invoke(PreparationRules.TraceNotKept.At(default, failure));
         return trace;
     }
 
@@ -171,49 +171,4 @@ public static class MachineRun
         if (result.FrameOrigin is null) return RunJudgement.Unknown;
         return listener is not null ? RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors) : polled?.Judge(program, result) ?? RunJudgement.Unknown;
     }
-}
-
-/// <summary>Result of a run and its comparison with the drawing.</summary>
-/// <param name="Controller">Model reported by the controller.</param>
-/// <param name="PlannedSeconds">Planned from the speed profiles of the controller and the commands exchanged at standstills over this link.</param>
-public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, string Controller, double PlannedSeconds)
-{
-    /// <summary>Position of the drawing's zero; null if unknown.</summary>
-    public PlacementResult? Placement { get; init; }
-
-    /// <summary>Those of X, Y and Z that steppers move: their polled positions are the commanded ones, not those of the motors.</summary>
-    public IReadOnlyList<char> OpenLoop { get; init; } = [];
-
-    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is based on commanded positions; the record of a simulated controller contains motor
-    /// positions.</summary>
-    public IReadOnlyList<char> Unseen => Judgement.Source == "record" ? [] : OpenLoop;
-
-    /// <summary>Maximum allowed deviation of this run, mm: max error, counts and, for servos, the following error that the profile allows.</summary>
-    public double? ToleranceMm { get; init; }
-
-    /// <summary>The tool stayed off.</summary>
-    public bool IsDryRun { get; init; }
-
-    /// <summary>The trace of the machine; null if unknown.</summary>
-    public RunTrace? Trace { get; init; }
-
-    /// <summary>Path of the run's journal; null for a run that was refused before its start.</summary>
-    public string? Journal { get; init; }
-
-    /// <summary>Resume position; earlier parts were cut by a previous job. Null for a job from the start.</summary>
-    public JobPlace? ResumedFrom { get; init; }
-
-    /// <summary>Why the job could not be resumed; null if it was, or for a job from the start.</summary>
-    public Diagnostic? ResumeRefusal { get; private init; }
-
-    /// <summary>Report of a job that does not match its journal.</summary>
-    internal static MachineRunReport NotResumed(Diagnostic refused, MotionProgram program, string controller) =>
-        new(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, controller, 0.0) { ResumeRefusal = refused };
-
-    /// <summary>Report of a job that was refused because it has no placement.</summary>
-    internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>
-        new(JobResult.NotStarted(placement.Program.Strokes.Count, placement.Found.Refusal!.Message), RunJudgement.Unknown, controller, plannedSeconds) { Placement = placement.Found };
-
-    /// <summary>Why the wire trace ended before the job; null if complete or not requested.</summary>
-    public string? TraceFailure { get; init; }
 }

@@ -18,19 +18,19 @@ public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrat
     public bool DryRun { get; init; }
 
     /// <summary>Position of the drawing's zero.</summary>
-    public OriginRequest Origin { get; init; } = new OriginRequest.Work();
+    public OriginRequest Origin { get; init; } = new OriginRequest.ActiveOrigin();
 
     /// <summary>Target of the machine after the last stroke.</summary>
     public FinishPlace Finish { get; init; }
 
     /// <summary>The lease of the machine; null: it is acquired from <see cref="Memories"/> for the run.</summary>
-    public MachineHold? Hold { get; init; }
+    public MachineLease? Lease { get; init; }
 
     /// <summary>Storage of the origins of machines.</summary>
     public MachineMemories Memories { get; init; } = new(null);
 
     /// <summary>Name of this process for the messages of other hosts.</summary>
-    public string Holder { get; init; } = "";
+    public string LeaseOwner { get; init; } = "";
 
     /// <summary>Where to resume an interrupted job; null for a job from the start.</summary>
     public ResumeRequest? Resume { get; init; }
@@ -39,12 +39,12 @@ public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrat
     public JobControl? Control { get; init; }
 
     /// <summary>Receives the position of the drawing's zero, counts of the controller, before any motion; null for none.</summary>
-    public Action<CountsPoint>? Placed { get; init; }
+    public Action<CountsPoint>? FrameFound { get; init; }
 
     /// <summary>Checks before the start: receives the current status and the placement, and returns why the job must not start, or null. Null if the checks
     /// were already run (ARM).</summary>
-    public Func<MachineStatus, JobPlacement, string?>? MayStart { get; init; }
+    public Func<MachineStatus, JobPlacement, string?>? CheckStart { get; init; }
 
     /// <summary>Receives findings before the first motion, on the thread of the job.</summary>
-    public Action<Diagnostic>? Told { get; init; }
+    public Action<Diagnostic>? FindingReported { get; init; }
 }

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Machines.Runs;
 public static class OutcomeText
 {
     /// <summary>The outcome in the words of the runner's contract.</summary>
-    public static string Word(JobOutcome outcome) => outcome switch
+    public static string Token(JobOutcome outcome) => outcome switch
     {
         JobOutcome.Complete => "complete",
         JobOutcome.Stopped => "stopped",
@@ -16,10 +16,10 @@ public static class OutcomeText
     };
 
     /// <summary>The displayed text.</summary>
-    public static string Said(JobOutcome outcome) => Wording.Get("Outcome." + outcome);
+    public static string DisplayText(JobOutcome outcome) => Wording.Get("Outcome." + outcome);
 
     /// <param name="word">An outcome as the history stores it.</param>
-    public static string Said(string word) =>
+    public static string DisplayText(string word) =>
         word == "begun" ? Wording.Get("Outcome.Begun")
-        : Enum.GetValues<JobOutcome>().Where(outcome => Word(outcome) == word).Select(Said).FirstOrDefault(word);
+        : Enum.GetValues<JobOutcome>().Where(outcome => Token(outcome) == word).Select(DisplayText).FirstOrDefault(word);
 }

@@ -30,7 +30,7 @@ internal sealed class PolledJudge
     {
         var profile = _job.Settings.Machine;
         var commanded = RunJudge.CommandedSample(profile, point.Seconds, point.Place, point.ToolOn);
-        TellLast(commanded.Cutting);
+        ForwardLast(commanded.Cutting);
         _last = commanded;
         if (point.Error is not null) _motors.Add(commanded, RunJudge.MotorSample(profile, point));
         _error = point.Error ?? _error; // Between two queries the last answer is the best estimate.
@@ -44,7 +44,7 @@ internal sealed class PolledJudge
     /// the end of the job.</summary>
     public RunJudgement Judge(MotionProgram program, JobResult result)
     {
-        TellLast(isCutOn: true);
+        ForwardLast(isCutOn: true);
         _last = null;
         if (!_hasCut) return RunJudgement.Unknown;
         var found = _path.Verdict();
@@ -57,7 +57,7 @@ internal sealed class PolledJudge
 
     /// <summary>The last poll before the tool leaves the work may be the only one of the retract; the height judge recognises retracts and plunges by the
     /// preceding sample without a cut.</summary>
-    private void TellLast(bool isCutOn)
+    private void ForwardLast(bool isCutOn)
     {
         if (_last is not { } last) return;
         _hasCut |= last.Cutting;

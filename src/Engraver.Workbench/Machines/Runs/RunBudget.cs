@@ -10,13 +10,13 @@ namespace Engraver.Workbench.Machines.Runs;
 public static class RunBudget
 {
     /// <summary>The default limit.</summary>
-    public const int UsualMegabytes = 1000;
+    public const int DefaultMegabytes = 1000;
 
     private const long Megabyte = 1_000_000;
-    private const string Ending = ".jsonl";
+    private const string JournalExtension = ".jsonl";
 
     /// <summary>Suffixes of a journal and of the files beside it.</summary>
-    private static readonly string[] s_besides = ["", KeptConversation.PathOf(""), KeptTrace.PathOf(""), JournalledRun.ProgramCopyOf("")];
+    private static readonly string[] s_suffixes = ["", ConversationFile.PathOf(""), TraceFile.PathOf(""), JournalledRun.ProgramCopyOf("")];
 
     private static string SettingFile => Path.Combine(UserFiles.Folder, "runs-megabytes.txt");
 
@@ -27,11 +27,11 @@ public static class RunBudget
         {
             try
             {
-                return File.Exists(SettingFile) && int.TryParse(File.ReadAllText(SettingFile), NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out var set) && set > 0 ? set : UsualMegabytes;
+                return File.Exists(SettingFile) && int.TryParse(File.ReadAllText(SettingFile), NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out var set) && set > 0 ? set : DefaultMegabytes;
             }
             catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
             {
-                return UsualMegabytes;
+                return DefaultMegabytes;
             }
         }
     }
@@ -49,12 +49,12 @@ public static class RunBudget
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return SystemReason.Of(unwritable);
+            return SystemErrorText.FromException(unwritable);
         }
     }
 
     /// <summary>Disk space of the stored runs, megabytes.</summary>
-    public static double UsedMegabytes => UsedIn(JournalFolder.Usual);
+    public static double UsedMegabytes => UsedIn(JournalFolder.Default);
 
     /// <summary>The same of another folder.</summary>
     public static double UsedIn(string folder)
@@ -79,7 +79,7 @@ public static class RunBudget
             foreach (var run in runs.OrderBy(static run => run.Written))
             {
                 if (size <= megabytes * Megabyte) return;
-                if (!MayGo(run.Journal)) continue;
+                if (!IsDeletable(run.Journal)) continue;
                 foreach (var file in run.Files) file.Delete();
                 size -= run.Size;
             }
@@ -91,11 +91,11 @@ public static class RunBudget
     }
 
     /// <summary>A file without a journal may belong to a run that is just starting, so it is not deleted.</summary>
-    private static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
+    private static bool IsDeletable(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsClosed: true };
 
     private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
     [
-        .. new DirectoryInfo(folder).EnumerateFiles("*" + Ending + "*")
+        .. new DirectoryInfo(folder).EnumerateFiles("*" + JournalExtension + "*")
             .Select(static file => (File: file, Journal: JournalOf(file.FullName)))
             .Where(static pair => pair.Journal is not null)
             .GroupBy(static pair => pair.Journal!, static pair => pair.File)
@@ -104,7 +104,7 @@ public static class RunBudget
 
     /// <summary>Null for a file that does not belong to a run.</summary>
     private static string? JournalOf(string path) =>
-        s_besides.FirstOrDefault(ending => path.EndsWith(Ending + ending, StringComparison.Ordinal)) is { } beside ? path[..^beside.Length] : null;
+        s_suffixes.FirstOrDefault(ending => path.EndsWith(JournalExtension + ending, StringComparison.Ordinal)) is { } beside ? path[..^beside.Length] : null;
 
     private sealed record RunFiles(string Journal, IReadOnlyList<FileInfo> Files)
     {

@@ -39,13 +39,13 @@ internal static class RunVerdict
     private static JobResult Deviated(JobResult result, string what, Point2D? place) => result with
     {
         Outcome = JobOutcome.Deviated,
-        Sentence = string.Join(' ', (string[])[what, .. At(place), Wording.Get("RunVerdict.CheckWorkpiece")]),
+        Message = string.Join(' ', (string[])[what, .. At(place), Wording.Get("RunVerdict.CheckWorkpiece")]),
     };
 
     /// <summary>If the join tolerance bridges gaps, the middle of a bridge is correct although it is off the drawing.</summary>
     private static double AllowedDeviation(PreparedJob job, MotionProgram program, RunJudgement judgement, TraceTolerances tolerances)
     {
-        var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
+        var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var bridged = tolerances.Deviation + (bridges.Count == 0 ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
         return judgement.Source == "polled" ? bridged + Skew(program, tolerances) : bridged;
     }

@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Machines.Terminals;
 public sealed class LiveTerminal
 {
     /// <summary>Maximum number of lines; older ones are removed.</summary>
-    private const int MostLines = 2000;
+    private const int MaxLines = 2000;
 
     private readonly Lock _guard = new();
     private readonly List<TerminalEntry> _lines = [];
@@ -43,14 +43,9 @@ public sealed class LiveTerminal
         lock (_guard)
         {
             _lines.Add(new TerminalEntry(_time.GetUtcNow(), kind, text));
-            if (_lines.Count > MostLines) _lines.RemoveRange(0, _lines.Count - MostLines);
+            if (_lines.Count > MaxLines) _lines.RemoveRange(0, _lines.Count - MaxLines);
         }
 
         Changed?.Invoke(this, EventArgs.Empty);
     }
 }
-
-/// <summary>A line of the terminal's page.</summary>
-/// <param name="Time">Time of input or reception.</param>
-/// <param name="Kind">Null for input of the operator; otherwise the source.</param>
-public sealed record TerminalEntry(DateTimeOffset Time, TerminalAnswerKind? Kind, string Text);

@@ -19,7 +19,7 @@ namespace Engraver.Workbench.Reports.Pages;
 /// <param name="Job">Prepared in the style of <paramref name="Strategy"/>.</param>
 /// <param name="Certificate">Status of the certificate beside its drawing.</param>
 /// <param name="Now">Date of the report.</param>
-public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, CertificateStanding Certificate, DateTimeOffset Now)
+public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, CertificateStatus Certificate, DateTimeOffset Now)
 {
     /// <summary>The motion program with feeds limited to the link; null if nothing can be cut.</summary>
     public MotionProgram? Program { get; private init; }
@@ -37,7 +37,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     public IReadOnlyList<Diagnostic> Findings { get; private init; } = [];
 
     /// <summary>Status of the certificates of other targets beside its drawing, by target and dialect.</summary>
-    public IReadOnlyList<(string Target, CertificateStanding Standing)> OtherCertificates { get; private init; } = [];
+    public IReadOnlyList<(string Target, CertificateStatus Standing)> OtherCertificates { get; private init; } = [];
 
     /// <summary>The reported run; null for a job that was not run or has no history entry.</summary>
     public HistoryEntry? Run { get; private init; }
@@ -49,7 +49,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     public (string File, bool IsThisJob) Journal { get; private init; }
 
     /// <summary>Changes since that run, as in a certificate; empty if there are none or there is no run.</summary>
-    public IReadOnlyList<string> RunDiffers { get; private init; } = [];
+    public IReadOnlyList<string> RunDifferences { get; private init; } = [];
 
     /// <summary>The trace of that run; null if it was not saved.</summary>
     public RunTrace? Trace { get; private init; }
@@ -67,7 +67,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
         var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Strategy);
-        var standing = program is null ? CertificateStanding.None : CertificateStanding.OfRun(job, program);
+        var standing = program is null ? CertificateStatus.None : CertificateStatus.OfRun(job, program);
         cancellation.ThrowIfCancellationRequested();
         var report = new JobReport(job, request.Strategy, standing, request.Now)
         {
@@ -78,7 +78,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             OtherCertificates = [.. OthersOf(request, request.Strategy.Style, cancellation)],
             Run = request.Run,
-            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash(request.Families)) : [],
+            RunDifferences = request.Run is { } run ? JobIdentity.Of(request.Drawing, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash(request.Families)) : [],
         };
         if (request.Journal is not { } journal) return report;
         report = report.WithTrace(journal);
@@ -93,7 +93,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
         return told.Strategy.Style != program?.Style && JobPreparation.Prepare(job.Drawing, job.Settings, told.Strategy.Style).Motion.Program is { } other && ProgramFingerprint.Of(other) == told.Program;
     }
 
-    private static IEnumerable<(string, CertificateStanding)> OthersOf(JobReportRequest request, MotionStyle sent, CancellationToken cancellation)
+    private static IEnumerable<(string, CertificateStatus)> OthersOf(JobReportRequest request, MotionStyle sent, CancellationToken cancellation)
     {
         var hash = new Lazy<string?>(() => ContentHash.OfFile(request.Drawing.FileName));
         foreach (var (entry, dialect) in PostTable.All.Where(entry => entry.Reader is not null && entry.Post.Motion != sent).SelectMany(entry => entry.Dialects.Keys.Cast<string?>().Prepend(null), (entry, dialect) => (entry, dialect)))
@@ -102,7 +102,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
             var path = CertificateFile.PathOf(request.Drawing.FileName, entry.Post.Name, dialect);
             if (!File.Exists(path)) continue;
             var job = new CertificationRequest(request.Drawing, hash.Value, request.Settings, entry, request.Now) { Dialect = dialect, Address = request.Address, Strategy = request.Strategy };
-            yield return ($"{entry.Post.Name} {dialect}".TrimEnd(), CertificateStanding.Of(path, Certification.IdentityOf(job)));
+            yield return ($"{entry.Post.Name} {dialect}".TrimEnd(), CertificateStatus.Of(path, Certification.IdentityOf(job)));
         }
     }
 
@@ -110,44 +110,12 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     {
         try
         {
-            var trace = KeptTrace.Read(journal);
+            var trace = TraceFile.Read(journal);
             return trace.CanBeOf(DrawnFingerprint.Of(Job.Analysed.ToSegments())) ? this with { Trace = trace } : this with { TraceProblem = Wording.Get("Trace.OtherDrawing", Path.GetFileName(Job.Drawing.FileName)) };
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
         {
-            return this with { TraceProblem = SystemReason.Of(unreadable) };
+            return this with { TraceProblem = SystemErrorText.FromException(unreadable) };
         }
-    }
-}
-
-/// <summary>Parameters of a job report.</summary>
-public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings, ExecutionStrategy Strategy, DateTimeOffset Now)
-{
-    /// <summary>The link of the job; null for a network.</summary>
-    public ControllerAddress? Address { get; init; }
-
-    /// <summary>The controller families that the profile of a run may name.</summary>
-    public MachineFamilies Families { get; init; } = MachineFamilies.Standard;
-
-    /// <summary>Machine rates; null for those of the profile.</summary>
-    public JobRates? Rates { get; init; }
-
-    /// <summary>The reported run.</summary>
-    public HistoryEntry? Run { get; init; }
-
-    /// <summary>Its journal, beside which the trace is saved.</summary>
-    public string? Journal { get; init; }
-
-    /// <summary>Names settings in findings for the front end (<see cref="SettingWording"/>).</summary>
-    public Func<Diagnostic, Diagnostic> Spell { get; init; } = SettingWording.OnConsole;
-
-    /// <summary>The same request for the run of <see cref="Journal"/>, or by default for the last run of the drawing in the history.</summary>
-    public JobReportRequest WithRunOf(HistoryReading history)
-    {
-        ArgumentNullException.ThrowIfNull(history);
-        var (drawing, journal) = (Path.GetFullPath(Drawing.FileName), Journal is null ? null : Path.GetFullPath(Journal));
-        var run = history.Entries.FirstOrDefault(entry => entry.Drawing == drawing && (journal is null ? entry.Kind is "run" or "simulation" : entry.Journal == journal));
-        var kept = run?.Journal is { } its && File.Exists(KeptTrace.PathOf(its)) ? its : null;
-        return this with { Run = run, Journal = Journal ?? kept };
     }
 }

@@ -17,10 +17,10 @@ namespace Engraver.Workbench.Reports.Pages;
 public static class JobReportPage
 {
     /// <summary>Maximum number of characters of one picture; a page has at most two.</summary>
-    private const int MostPicture = 1_500_000;
+    private const int MaxPictureSegments = 1_500_000;
 
     /// <summary>Maximum number of listed findings, worst first; the others are counted.</summary>
-    private const int MostFindings = 500;
+    private const int MaxFindings = 500;
 
     /// <summary>The default path of a drawing's report.</summary>
     public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + ".report.html";
@@ -52,9 +52,9 @@ public static class JobReportPage
 
     private static string Verdict(JobReport report) => report switch
     {
-        { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
-        { Run: { } run, RunDiffers: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
-        { Run: { } run } => Wording.Get("JobReport.VerdictRun", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
+        { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", OutcomeText.DisplayText(run.Outcome), Kind(run.Kind)),
+        { Run: { } run, RunDifferences: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", OutcomeText.DisplayText(run.Outcome), Kind(run.Kind)),
+        { Run: { } run } => Wording.Get("JobReport.VerdictRun", OutcomeText.DisplayText(run.Outcome), Kind(run.Kind)),
         { Journalled: { } told } => Wording.Get(report.Journal.IsThisJob ? "JobReport.VerdictRun" : "JobReport.VerdictOtherRun", Outcome(told), Wording.Get(told.IsDryRun ? "JobReport.DryRun" : "JobReport.Run")),
         { Motion: null } => Wording.Get("JobReport.VerdictNothing"),
         _ => Wording.Get("JobReport.VerdictPlanned"),
@@ -79,7 +79,7 @@ public static class JobReportPage
     private static void Picture(PlotModel plot, PageWriter page)
     {
         double? resolution = null;
-        page.Figure("picture", output => resolution = SvgPlotWriter.WriteWithin(plot, MostPicture, output));
+        page.Figure("picture", output => resolution = SvgPlotWriter.WriteWithin(plot, MaxPictureSegments, output));
         if (resolution is { } millimetres) page.Paragraph(Wording.Get("JobReport.Thinned", plot.Strokes.Sum(stroke => stroke.Segments.Count), millimetres), "quiet");
     }
 
@@ -120,7 +120,7 @@ public static class JobReportPage
     {
         page.Section("run", Wording.Get("JobReport.Run"), () =>
         {
-            if (report.RunDiffers is [_, ..] differs) page.Paragraph(SettingWording.OnConsole(Wording.Get("JobReport.OtherRun", string.Join(", ", differs.Select(CertificateStanding.Said)))));
+            if (report.RunDifferences is [_, ..] differs) page.Paragraph(SettingWording.OnConsole(Wording.Get("JobReport.OtherRun", string.Join(", ", differs.Select(CertificateStatus.PartName)))));
             if (run.RanTrajectories) page.Paragraph(Wording.Get("JobReport.RanTrajectories"));
             if (run.OpenLoop is { Count: > 0 } axes) page.Paragraph(Wording.Get("JobReport.OpenLoop", string.Join(", ", axes)));
             page.Pairs(RunPairs(report, run, here));
@@ -132,7 +132,7 @@ public static class JobReportPage
         });
     }
 
-    private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.Said(outcome) : Wording.Get("Outcome.Begun");
+    private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.DisplayText(outcome) : Wording.Get("Outcome.Begun");
 
     /// <param name="kind">Kind from the history.</param>
     private static string Kind(string kind) => kind switch
@@ -157,7 +157,7 @@ public static class JobReportPage
     private static IEnumerable<PagePair> RunPairs(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here) =>
     [
         new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
-        new PagePair(Wording.Get("JobReport.Outcome"), OutcomeText.Said(run.Outcome), "outcome"),
+        new PagePair(Wording.Get("JobReport.Outcome"), OutcomeText.DisplayText(run.Outcome), "outcome"),
         new PagePair(Wording.Get("JobReport.Message"), run.Sentence),
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
@@ -167,9 +167,9 @@ public static class JobReportPage
         new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
     ];
 
-    private static void Certificate(CertificateStanding standing, TimeZoneInfo here, PageWriter page)
+    private static void Certificate(CertificateStatus standing, TimeZoneInfo here, PageWriter page)
     {
-        page.Paragraph(SettingWording.OnConsole(standing.Sentence) + ".");
+        page.Paragraph(SettingWording.OnConsole(standing.Message) + ".");
         if (standing.Certificate is not { } certificate) return;
         page.Pairs(
         [
@@ -189,7 +189,7 @@ public static class JobReportPage
         ]);
     }
 
-    private static void OtherCertificates(IReadOnlyList<(string Target, CertificateStanding Standing)> others, TimeZoneInfo here, PageWriter page)
+    private static void OtherCertificates(IReadOnlyList<(string Target, CertificateStatus Standing)> others, TimeZoneInfo here, PageWriter page)
     {
         string Figure(double? value) => value?.ToString("0.####", CultureInfo.InvariantCulture) ?? "–";
         page.Paragraph(Wording.Get("JobReport.OtherCertificates"));
@@ -207,8 +207,8 @@ public static class JobReportPage
     private static void Findings(IReadOnlyList<Diagnostic> findings, PageWriter page)
     {
         if (findings.Count == 0) page.Paragraph(Wording.Get("JobReport.NoFindings"));
-        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Take(MostFindings).Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
-        if (findings.Count > MostFindings) page.Paragraph(Wording.Get("JobReport.MoreFindings", findings.Count - MostFindings), "quiet");
+        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Take(MaxFindings).Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
+        if (findings.Count > MaxFindings) page.Paragraph(Wording.Get("JobReport.MoreFindings", findings.Count - MaxFindings), "quiet");
     }
 
     private static void Settings(JobReport report, PageWriter page)
@@ -216,7 +216,7 @@ public static class JobReportPage
         var machine = report.Job.Settings.Machine;
         page.Pairs(
         [
-            .. SettingWords.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
+            .. SettingValues.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
             new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X.CountsPerMillimetre:0.###} × {machine.Scale.Y.CountsPerMillimetre:0.###}")),

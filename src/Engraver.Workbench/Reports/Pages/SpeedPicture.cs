@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Reports.Pages;
 internal static class SpeedPicture
 {
     /// <summary>Maximum number of samples of a long job.</summary>
-    private const int MostSamples = 2400;
+    private const int MaxSamples = 2400;
     private const double Width = 1000.0;
     private const double Height = 260.0;
     private const double Left = 62.0;
@@ -25,7 +25,7 @@ internal static class SpeedPicture
 
     public static void Write(PlannedMotion motion, TextWriter output)
     {
-        var samples = SpeedPlot.Sample(motion, MostSamples);
+        var samples = SpeedPlot.Sample(motion, MaxSamples);
         var (duration, peak) = (Math.Max(motion.DurationSeconds, 1e-9), Math.Max(samples.Select(sample => sample.Speed * SecondsPerMinute).DefaultIfEmpty().Max(), 1e-9));
         double X(double seconds) => Left + (seconds / duration * (Width - Left - Right));
         double Y(double speed) => Height - Bottom - (speed / peak * (Height - Top - Bottom));
@@ -54,12 +54,12 @@ internal static class SpeedPicture
     }
 
     /// <summary>Five to ten round values from 0 to the maximum.</summary>
-    private static IEnumerable<double> Grid(double most)
+    private static IEnumerable<double> Grid(double max)
     {
         const double Lines = 5.0;
-        var tens = Math.Pow(10.0, Math.Floor(Math.Log10(most / Lines)));
-        var step = s_steps.Select(size => size * tens).Last(size => size * Lines <= most);
-        for (var i = 0; i * step <= most; i++) yield return i * step;
+        var tens = Math.Pow(10.0, Math.Floor(Math.Log10(max / Lines)));
+        var step = s_steps.Select(size => size * tens).Last(size => size * Lines <= max);
+        for (var i = 0; i * step <= max; i++) yield return i * step;
     }
 
     private static XElement Line(string path) => Path("grid", path);

@@ -32,7 +32,7 @@ public class EntityColoursTests
 
         Assert.Equal((7, 1), (colours[0], colours[1]));
         Assert.Equal(7, colours[2]);
-        Assert.Equal(7, EntityColours.White[0]);
+        Assert.Equal(7, EntityColours.AllForeground[0]);
     }
 
     [Theory]

@@ -66,7 +66,7 @@ public class OverlaySceneTests
         Assert.Equal(3, s_scene.FindingMarks.Count);
         Assert.Contains(s_scene.FindingMarks, mark => mark.Place.IsNear(new Point2D(10.0, 0.0), 1e-9));
         Assert.Equal(new Point2D(1.0, 2.0), Assert.Single(s_scene.OriginMarks).Place);
-        Assert.Equal(4, s_scene.Machine.Count);
+        Assert.Equal(4, s_scene.MachineEnvelope.Count);
     }
 
     [Fact]

@@ -18,7 +18,7 @@ public class BackdropTests
             var step = GridStep.For(unitsPerPixel);
             var mantissa = step.Minor / Math.Pow(10.0, Math.Floor(Math.Log10(step.Minor * 1.0000001)));
             var pixels = step.Minor / unitsPerPixel;
-            return pixels >= GridStep.FewestPixels * 0.999999 && pixels <= GridStep.FewestPixels * 2.6 && new[] { 1.0, 2.0, 5.0 }.Any(digit => Math.Abs(mantissa - digit) < 1e-6);
+            return pixels >= GridStep.MinPixels * 0.999999 && pixels <= GridStep.MinPixels * 2.6 && new[] { 1.0, 2.0, 5.0 }.Any(digit => Math.Abs(mantissa - digit) < 1e-6);
         }).QuickCheckThrowOnFailure();
 
     [Fact]

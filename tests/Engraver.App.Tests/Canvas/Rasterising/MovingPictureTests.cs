@@ -45,7 +45,7 @@ public sealed class MovingPictureTests(DesktopFixture fixture)
 
     private static void Take(Operator here, List<double> taken, double fraction)
     {
-        here.Until(() => here.Window.Canvas.IsFresh);
+        here.Until(() => here.Window.Canvas.IsUpToDate);
         here.Step();
         using var whole = new MemoryStream();
         here.Hands.CapturePng(whole);

@@ -58,9 +58,9 @@ public class PictureRendererTests
         var view = new CanvasView(new Point2D(50.0, 50.0), 0.5, new PixelSize(300, 300));
         var only = new bool[s_scene.Drawing.Entities.Count];
 
-        var none = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { Only = only }], view, Plain(view), CancellationToken.None);
+        var none = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { EntityFilter = only }], view, Plain(view), CancellationToken.None);
         only[1] = true;
-        var one = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { Only = only }], view, Plain(view), CancellationToken.None);
+        var one = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { EntityFilter = only }], view, Plain(view), CancellationToken.None);
 
         Assert.All(none.Pixels, pixel => Assert.Equal(CanvasTheme.Dark.Background, pixel));
         Assert.Contains(one.Pixels, pixel => pixel != CanvasTheme.Dark.Background);

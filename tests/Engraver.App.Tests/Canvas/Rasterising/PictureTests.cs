@@ -18,7 +18,7 @@ namespace Engraver.App.Tests.Canvas.Rasterising;
 public sealed class PictureTests(DesktopFixture fixture)
 {
     /// <summary>Limits the size of a manual with many pictures.</summary>
-    private const int MostBytes = 150_000;
+    private const int MaxBytes = 150_000;
 
     /// <summary>The alarm shows this port. It is below those that systems choose for outgoing connections.</summary>
     private const int Port = 21430;
@@ -101,7 +101,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Step();
         Take(here, "small");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Enter("MOVE");
         Take(here, "small-options");
     });
@@ -117,7 +117,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Enter("CNCCOMMISSION", "Skip", "Skip");
         TakeMoving(here, "commissioning");
         here.Hands.Press(Key.Escape);
-        here.Rest();
+        here.WaitUntilIdle();
     });
 
     [Fact]
@@ -145,7 +145,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         Assert.Equal("RUNNING", here.Window.Model.Machine.State);
         Assert.InRange(here.Window.Canvas.EngravedMoves, 1, here.Window.Canvas.Overlay!.MoveCount - 1);
         here.Hands.Press(Key.Pause);
-        here.Rest();
+        here.WaitUntilIdle();
         here.Show("Alarms");
         TakeMoving(here, "stopped");
     });
@@ -277,7 +277,7 @@ public sealed class PictureTests(DesktopFixture fixture)
             Assert.Fail(reviewed.Keep(picture, difference!));
         }
 
-        Assert.InRange(picture.Length, 1, MostBytes);
+        Assert.InRange(picture.Length, 1, MaxBytes);
     }
 
     /// <summary>A picture of a machine that moves or has left a trail, whose points are those of the polls: it must show the window and not be one colour. With
@@ -286,7 +286,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     {
         Prepare(here);
         var picture = Captured(here);
-        Assert.InRange(picture.Length, 1, MostBytes);
+        Assert.InRange(picture.Length, 1, MaxBytes);
         if (s_folder is not null) File.WriteAllBytes(Path.Combine(s_folder, name + ".png"), picture);
         var (canvas, strip) = (here.MiddleOf(here.Window.Canvas), here.MiddleOf(here.Find<Control>("MachineStrip")));
         Assert.NotEqual(here.Hands.PixelAt((int)canvas.X, (int)canvas.Y), here.Hands.PixelAt((int)strip.X, 34));
@@ -301,7 +301,7 @@ public sealed class PictureTests(DesktopFixture fixture)
             if (text.FindAncestorOfType<TextBox>()?.IsFocused == true) text.ShowCaret();
         }
 
-        here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
+        here.Until(() => here.Window.Canvas.IsUpToDate || here.Window.Canvas.Scene is null);
         here.Step();
         var shown = here.Window.GetVisualDescendants().OfType<TextBlock>().Where(text => text.IsEffectivelyVisible && text.Text is not null).Select(text => text.Text!);
         Assert.DoesNotContain(shown, text => new[] { RepositoryFolder.Root, Path.GetTempPath() }.Any(own => text.Contains(own, StringComparison.Ordinal)));

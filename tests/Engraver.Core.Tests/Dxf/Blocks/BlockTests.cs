@@ -42,8 +42,8 @@ public class BlockTests
             Block("A", 0, 0, [(0, "CIRCLE"), (10, 0), (20, 0), (40, 1)]),
             [(0, "INSERT"), (2, "A"), (10, 100), (20, 0), (41, 2), (42, 2), (50, 90), (70, 2), (71, 3), (44, 10), (45, 20)]);
 
-        Assert.Equal("100,0 100,10 80,0 80,10 60,0 60,10", string.Join(' ', Reading.Parts(drawing).Select(part => $"{part.A:0},{part.B:0}")));
-        Assert.All(Reading.Parts(drawing), part => Assert.Equal(2.0, part.D));
+        Assert.Equal("100,0 100,10 80,0 80,10 60,0 60,10", string.Join(' ', DxfReading.Parts(drawing).Select(part => $"{part.A:0},{part.B:0}")));
+        Assert.All(DxfReading.Parts(drawing), part => Assert.Equal(2.0, part.D));
     }
 
     [Fact]
@@ -60,7 +60,7 @@ public class BlockTests
         var drawing = Drawing(Block("A", 0, 0, LineAndArc), [(0, "INSERT"), (2, "A"), (10, 0), (20, 0), (41, 2), (42, 3), (70, 4), (44, 50)]);
 
         Assert.Equal((8, 22.0, 3.0), (drawing.Entities.Count, drawing.Parts[0].D, drawing.Parts[0].E));
-        Assert.Equal(4, Reading.Parts(drawing).Count(part => part.Kind == SegmentKind.Ellipse));
+        Assert.Equal(4, DxfReading.Parts(drawing).Count(part => part.Kind == SegmentKind.Ellipse));
         Assert.Empty(drawing.Balance.RefusedInBlocks);
         Assert.Equal(1, drawing.Balance.Cut);
     }
@@ -73,7 +73,7 @@ public class BlockTests
             [.. Block("A", 0, 0, mark), .. Block("B", 0, 0, [.. LineAndArc[..6], .. Insert("A"), .. LineAndArc[6..]])],
             Insert("B"));
 
-        Assert.Equal("Line Circle Arc", string.Join(' ', Reading.Curves(drawing).Select(entity => entity.Type)));
+        Assert.Equal("Line Circle Arc", string.Join(' ', DxfReading.Curves(drawing).Select(entity => entity.Type)));
     }
 
     [Fact]
@@ -83,7 +83,7 @@ public class BlockTests
             [.. Block("A", 0, 0, LineAndArc), .. Block("B", 0, 0, [(0, "INSERT"), (8, "0"), (2, "A"), (10, 0), (20, 0)])],
             [(0, "INSERT"), (8, "Outer"), (2, "B"), (10, 0), (20, 0)]);
 
-        Assert.Equal("Outer CUT", string.Join(' ', Reading.Curves(drawing).Select(entity => drawing.Layers[entity.Layer].Name)));
+        Assert.Equal("Outer CUT", string.Join(' ', DxfReading.Curves(drawing).Select(entity => drawing.Layers[entity.Layer].Name)));
     }
 
     [Theory]
@@ -92,26 +92,26 @@ public class BlockTests
     [InlineData(0, 0, false)]
     public void A_frozen_or_invisible_insert_hides_all_its_content(int frozen, int invisible, bool hidden)
     {
-        var drawing = Reading.Of(new DxfText()
+        var drawing = DxfReading.Of(new DxfText()
             .Section("TABLES", (0, "LAYER"), (2, "F"), (70, frozen), (62, 7))
             .Section("BLOCKS", Block("A", 0, 0, LineAndArc))
             .Section("ENTITIES", (0, "INSERT"), (8, "f"), (2, "a"), (60, invisible), (10, 0), (20, 0))
             .End());
 
         Assert.Equal(2, drawing.Entities.Count);
-        Assert.All(Reading.Curves(drawing), entity => Assert.Equal(hidden, entity.Hidden));
+        Assert.All(DxfReading.Curves(drawing), entity => Assert.Equal(hidden, entity.Hidden));
     }
 
     [Fact]
     public void Blocks_and_layers_behind_the_entities_are_found()
     {
-        var drawing = Reading.Of(new DxfText()
+        var drawing = DxfReading.Of(new DxfText()
             .Section("ENTITIES", [(0, "INSERT"), (8, "F"), (2, "A"), (10, 0), (20, 0), .. LineAndArc])
             .Section("TABLES", (0, "LAYER"), (2, "F"), (70, 1))
             .Section("BLOCKS", Block("A", 0, 0, LineAndArc))
             .End());
 
-        Assert.Equal("True True False False", string.Join(' ', Reading.Curves(drawing).Select(entity => entity.Hidden)));
+        Assert.Equal("True True False False", string.Join(' ', DxfReading.Curves(drawing).Select(entity => entity.Hidden)));
     }
 
     [Fact]
@@ -189,7 +189,7 @@ public class BlockTests
             [.. Block("A", 0, 0, [(0, "CIRCLE"), (10, 0), (20, 0), (40, 1)]), .. Block("B", 0, 0, [(0, "CIRCLE"), (10, 0), (20, 0), (40, 2), .. Insert("A"), (70, 2), (44, 1), (0, "CIRCLE"), (10, 0), (20, 0), (40, 3)])],
             [.. Insert("B"), (71, 2), (45, 100)]);
 
-        Assert.Equal("0,0,2 0,0,1 1,0,1 0,0,3 0,100,2 0,100,1 1,100,1 0,100,3", string.Join(' ', Reading.Parts(drawing).Select(part => $"{part.A:0},{part.B:0},{part.D:0}")));
+        Assert.Equal("0,0,2 0,0,1 1,0,1 0,0,3 0,100,2 0,100,1 1,100,1 0,100,3", string.Join(' ', DxfReading.Parts(drawing).Select(part => $"{part.A:0},{part.B:0},{part.D:0}")));
     }
 
     [Fact]
@@ -198,8 +198,8 @@ public class BlockTests
         (int, object)[] idle = [.. Enumerable.Repeat(Insert("Nothing"), 10).SelectMany(pairs => pairs)];
         var text = new DxfText().Section("BLOCKS", [.. Block("Nothing", 0, 0, []), .. Block("A", 0, 0, [.. LineAndArc, .. idle])]).Section("ENTITIES", Insert("A")).End();
 
-        Assert.Equal(2, Reading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 12)).Entities.Count);
-        Assert.Equal(0, Reading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 11)).Entities.Count);
+        Assert.Equal(2, DxfReading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 12)).Entities.Count);
+        Assert.Equal(0, DxfReading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 11)).Entities.Count);
     }
 
     [Fact]
@@ -207,7 +207,7 @@ public class BlockTests
     {
         var text = new DxfText().Section("BLOCKS", Block("A", 0, 0, LineAndArc)).Section("ENTITIES", [.. Insert("A"), .. Insert("A"), .. Insert("A")]).End();
 
-        var drawing = Reading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 5));
+        var drawing = DxfReading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 5));
 
         Assert.Equal((4, 1), (drawing.Entities.Count, drawing.Balance.Refused.Count));
     }
@@ -222,7 +222,7 @@ public class BlockTests
     }
 
     private static Drawing Drawing(ReadOnlySpan<(int, object)> blocks, ReadOnlySpan<(int, object)> entities) =>
-        Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", blocks).Section("ENTITIES", entities).End());
+        DxfReading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", blocks).Section("ENTITIES", entities).End());
 
     /// <summary>L0 contains a line, an arc and the given content; each further block contains only the previous one, moved by 1 along x.</summary>
     private static (int, object)[] Chain(int levels, params ReadOnlySpan<(int, object)> innermost)

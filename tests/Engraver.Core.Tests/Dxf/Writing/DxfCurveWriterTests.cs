@@ -40,7 +40,7 @@ public class DxfCurveWriterTests
     {
         var curve = new EllipseArc(new Vector3D(423.71213738, -73.35906756, 0.0), new Vector3D(41.4999959, 0.01877599, 0.0), new Vector3D(-0.0184, 40.75, 0.0), Angle.Zero, Angle.FromRadians(radians)).ToCurve();
         var text = Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)]));
-        var drawing = Reading.Of(text);
+        var drawing = DxfReading.Of(text);
         var found = drawing.SegmentOf(drawing.Parts[0]);
 
         Assert.DoesNotContain("NaN", text, StringComparison.Ordinal);
@@ -61,7 +61,7 @@ public class DxfCurveWriterTests
     [Fact]
     public void Splines_read_back_exactly_rational_or_not_forwards_or_backwards()
     {
-        var drawing = Reading.Entities([.. OddDrawings.Spline, .. OddDrawings.FitSpline, (0, "SPLINE"), (71, 2), (40, 0), (40, 0), (40, 0), (40, 1), (40, 3), (40, 3), (40, 3), (10, 0), (20, 0), (10, 1), (20, 4), (10, 5), (20, 4), (10, 6), (20, 0)]);
+        var drawing = DxfReading.Entities([.. OddDrawings.Spline, .. OddDrawings.FitSpline, (0, "SPLINE"), (71, 2), (40, 0), (40, 0), (40, 0), (40, 1), (40, 3), (40, 3), (40, 3), (10, 0), (20, 0), (10, 1), (20, 4), (10, 5), (20, 4), (10, 6), (20, 0)]);
         foreach (var curve in drawing.Curves)
         {
             AssertSame(curve, CurveType.Spline);
@@ -74,7 +74,7 @@ public class DxfCurveWriterTests
     {
         const string Name = "Größe 切断 \uD83D\uDE00";
         var text = Written(new DxfSheet([new DxfSheetLayer(Name, 3)], [new DxfSheetEntity(Segment.FromLine(default, new Point2D(1, 0)), Name, "cut", 1, 1)]));
-        var drawing = Reading.Of(text);
+        var drawing = DxfReading.Of(text);
 
         Assert.True(Ascii.IsValid(text));
         Assert.Equal(Name, drawing.Layers[drawing.Entities[0].Layer].Name);
@@ -86,9 +86,9 @@ public class DxfCurveWriterTests
 
     private static void AssertSame(RationalCurve curve, CurveType type)
     {
-        var drawing = Reading.Of(Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)])));
+        var drawing = DxfReading.Of(Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)])));
         Assert.DoesNotContain(drawing.Diagnostics, found => found.Id != "DXF0041");
-        Assert.Equal(type, Assert.Single(Reading.Curves(drawing)).Type);
+        Assert.Equal(type, Assert.Single(DxfReading.Curves(drawing)).Type);
         var found = drawing.SegmentOf(drawing.Parts[0]);
         var tolerance = 1e-7 * (1.0 + curve.PlanLength);
         Assert.Equal(curve.PlanLength, found.Length, tolerance);

@@ -184,8 +184,8 @@ public class ContourChainerTests
         var (few, many) = (ContourChainer.Chain(Star(Few, radius), Tolerance), ContourChainer.Chain(Star(4 * Few, radius), Tolerance));
 
         Assert.Equal(4 * Few, many.Contours.Sum(contour => contour.Pieces.Length));
-        Assert.InRange(many.Looks, 4 * Few, 8 * few.Looks);
-        Assert.InRange(many.Looks, 4 * Few, 4 * Few * 600L);
+        Assert.InRange(many.Comparisons, 4 * Few, 8 * few.Comparisons);
+        Assert.InRange(many.Comparisons, 4 * Few, 4 * Few * 600L);
     }
 
     /// <summary>Thousands of copies of one line: all equally straight, the lowest row first.</summary>
@@ -197,7 +197,7 @@ public class ContourChainerTests
 
         Assert.Equal(Copies / 2, result.Contours.Count);
         Assert.All(result.Contours, contour => Assert.Equal(contour.Pieces.Span[0].Row + 1, contour.Pieces.Span[1].Row));
-        Assert.InRange(result.Looks, Copies, 600L * Copies);
+        Assert.InRange(result.Comparisons, Copies, 600L * Copies);
     }
 
     /// <summary>Hundreds of ends within a few tolerances of each other, compared with the plain rule: every end is tested.</summary>

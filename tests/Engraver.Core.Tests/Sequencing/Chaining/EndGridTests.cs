@@ -49,7 +49,7 @@ public class EndGridTests
         const int Crowd = 20_000;
         var grid = new EndGrid(Enumerable.Repeat(new Point2D(1.0, 1.0), Crowd).ToArray(), Tolerance);
         Assert.All(grid.OnlyNeighbours(), only => Assert.Equal(EndGrid.Several, only));
-        Assert.InRange(grid.Looks, Crowd, 100L * Crowd);
+        Assert.InRange(grid.Comparisons, Crowd, 100L * Crowd);
     }
 
     /// <summary>Points in clusters a few tolerances wide, so that cells contain none, one or many.</summary>

@@ -25,7 +25,7 @@ public class HomingMoveTests
 
         var homed = await HomeAsync(bench, Profile(new AxisHoming { By = mark, Zero = 5, BackOff = 2 }));
 
-        Assert.Equal((JobOutcome.Complete, "The machine is homed."), (homed.Result.Outcome, homed.Result.Sentence));
+        Assert.Equal((JobOutcome.Complete, "The machine is homed."), (homed.Result.Outcome, homed.Result.Message));
         Assert.Equal(new CountsPoint(7000, 0), homed.Result.FinalPosition); // 5 mm, and 2 mm back
         Assert.InRange(homed.Shift![0], 5000 - at - 3, 5000 - at + 3); // the edge is detected within two program lines at 1000 counts/s
         Assert.Equal(0, homed.Shift[1]);
@@ -88,7 +88,7 @@ public class HomingMoveTests
         var homed = await HomeAsync(bench, Profile(new AxisHoming { By = fault == "stepper" ? HomingMark.Index : HomingMark.Switch, Seconds = 10 }));
 
         Assert.Equal(JobOutcome.Refused, homed.Result.Outcome);
-        Assert.Contains(sentence, homed.Result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(sentence, homed.Result.Message, StringComparison.Ordinal);
         Assert.Null(homed.Shift);
         Assert.True(bench.Controller.Status.IsIdle);
     }

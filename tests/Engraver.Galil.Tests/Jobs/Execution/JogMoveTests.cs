@@ -26,7 +26,7 @@ public class JogMoveTests
         {
             var result = await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, far, CancellationToken.None);
 
-            Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Sentence));
+            Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Message));
             Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), result.FinalPosition);
             Assert.Empty(result.NotRestored);
         }
@@ -45,7 +45,7 @@ public class JogMoveTests
         var far = new CancelWhen(progress => progress.X > 100000, control.Release);
         await using var session = await bench.OpenAsync();
 
-        await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, new Both(told, far), CancellationToken.None);
+        await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, new ProgressPair(told, far), CancellationToken.None);
 
         var rows = bench.Controller.Record.Snapshot();
         double Speed(int at) => rows.Zip(rows.Skip(1)).First(pair => pair.First.A >= at) is var (one, two) ? (two.A - one.A) / (two.Seconds - one.Seconds) : 0;
@@ -62,7 +62,7 @@ public class JogMoveTests
         var dies = new CancelWhen(progress => progress.X > 30000, () =>
         {
             bench.Controller.DropConnections();
-            bench.GiveClockBack();
+            bench.ReleaseClock();
         });
         var session = await bench.OpenAsync(link => link.Sending = line =>
         {
@@ -96,7 +96,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, slows, CancellationToken.None);
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
-        Assert.Contains("The link is too slow", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("The link is too slow", result.Message, StringComparison.Ordinal);
         Assert.False(bench.Controller.Status.IsMoving);
         Assert.Equal(bench.Last.A, result.FinalPosition!.Value.X);
     }
@@ -117,7 +117,7 @@ public class JogMoveTests
         Assert.All(bench.Controller.Record.Snapshot(), row => Assert.True(row.A is >= -7000 and <= 40000 && row.B is >= -4001 and <= 12000));
         Assert.Equal(["2147483647", "-2147483648"], [await bench.WholeAsync("_FLA"), await bench.WholeAsync("_BLA")]);
         var again = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(x, y)), session, SimulatedBench.Job with { SoftLimits = limits }, null, CancellationToken.None);
-        Assert.Equal((JobOutcome.Refused, "The machine is at the end of its travel. Jog in the other direction."), (again.Outcome, again.Sentence));
+        Assert.Equal((JobOutcome.Refused, "The machine is at the end of its travel. Jog in the other direction."), (again.Outcome, again.Message));
     }
 
     [Fact]
@@ -130,7 +130,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(900, -900)), session, SimulatedBench.Job, hit, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("limit", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("limit", result.Message, StringComparison.Ordinal);
         Assert.InRange(-bench.Last.B, 5000, 9000); // it stopped before the key was released
     }
 
@@ -142,7 +142,7 @@ public class JogMoveTests
         await using var session = await bench.OpenAsync();
         Task<JobResult> Jog(double x) => JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(x, 0)), session, SimulatedBench.Job with { SoftLimits = limits }, null, CancellationToken.None);
 
-        Assert.Contains("Jog it in the other direction", (await Jog(-600)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Jog it in the other direction", (await Jog(-600)).Message, StringComparison.Ordinal);
         Assert.Equal(new CountsPoint(5000, 0), (await Jog(600)).FinalPosition);
     }
 
@@ -156,7 +156,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(0, 600)), session, SimulatedBench.Job, hits, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("forward limit switch", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("forward limit switch", result.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -169,7 +169,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(600, 0)), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("Motors off: Y.", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("Motors off: Y.", result.Message, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Record.Count);
     }
 

@@ -50,7 +50,7 @@ public class JogStandbyTests
         await JobRunner.StandByAsync(s_program, pad.Standby, session, SimulatedBench.Job, pad, CancellationToken.None);
 
         var results = await Task.WhenAll(pad.Jogs).WaitAsync(TimeSpan.FromSeconds(60)); // a result is reported on another thread
-        Assert.All(results, result => Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Sentence)));
+        Assert.All(results, result => Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Message)));
         Assert.InRange(results[0].FinalPosition!.Value.X, Far, Far + 2000);
         Assert.InRange(results[1].FinalPosition!.Value.X, -2000, 2000);
         Assert.InRange(results[2].FinalPosition!.Value.Y, Far, Far + 2000);
@@ -71,7 +71,7 @@ public class JogStandbyTests
         pad.OnFar = () =>
         {
             bench.Controller.DropConnections();
-            bench.GiveClockBack();
+            bench.ReleaseClock();
         };
         pad.PressNext();
 
@@ -131,7 +131,7 @@ public class JogStandbyTests
         var result = await JobRunner.StandByAsync(s_program, pad.Standby, session, SimulatedBench.Job, pad, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("forward limit switch", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("forward limit switch", result.Message, StringComparison.Ordinal);
         Assert.Equal(1, pad.Jogs.Count(jog => jog.IsCompletedSuccessfully));
     }
 

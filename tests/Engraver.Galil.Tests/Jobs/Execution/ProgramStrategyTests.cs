@@ -20,7 +20,7 @@ public class ProgramStrategyTests
         var program = Strokes(240);
         var (result, downloads) = await CountedAsync(bench, program);
 
-        Assert.Equal("Done: 480 segments.", result.Sentence);
+        Assert.Equal("Done: 480 segments.", result.Message);
         Assert.Equal((480, 480, 0, 0), (result.SegmentsSent, result.SegmentsExecuted, result.Rejected, result.Diagnostics.Count));
         Assert.InRange(downloads, 4, 5); // the resident program, two or three chunks, the found program
         Assert.Equal(Enumerable.Range(0, 240), result.ExecutedEntityIndices);
@@ -91,9 +91,9 @@ public class ProgramStrategyTests
         var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), Job);
 
         Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange, 0, 1), (result.Outcome, (TcCode?)result.Refusal?.Code, result.SegmentsExecuted, result.Rejected));
-        Assert.Matches("line [0-9]+ of the downloaded program", result.Sentence);
-        Assert.Contains("'CR 5,180,-180;CR 5,180,180;CR 5,180,-180'", result.Sentence, StringComparison.Ordinal);
-        Assert.EndsWith("Drawing entity 0.", result.Sentence, StringComparison.Ordinal);
+        Assert.Matches("line [0-9]+ of the downloaded program", result.Message);
+        Assert.Contains("'CR 5,180,-180;CR 5,180,180;CR 5,180,-180'", result.Message, StringComparison.Ordinal);
+        Assert.EndsWith("Drawing entity 0.", result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads));
     }
 
@@ -107,7 +107,7 @@ public class ProgramStrategyTests
 
         Assert.Equal((JobOutcome.Refused, 4), (result.Outcome, result.SegmentsExecuted));
         Assert.Equal([2, 2, 0], result.ExecutedByStroke);
-        Assert.EndsWith("Drawing entity 77.", result.Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("Drawing entity 77.", result.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -120,8 +120,8 @@ public class ProgramStrategyTests
         var result = await bench.RunAsync(program, Job, hit);
 
         Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsExecuted));
-        Assert.Contains("forward limit switch", result.Sentence, StringComparison.Ordinal);
-        Assert.EndsWith("Drawing entity 0.", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("forward limit switch", result.Message, StringComparison.Ordinal);
+        Assert.EndsWith("Drawing entity 0.", result.Message, StringComparison.Ordinal);
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal(0, sample.B));
     }
 
@@ -166,7 +166,7 @@ public class ProgramStrategyTests
         await using var session = await bench.OpenAsync(opened: links.Add);
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, Job, new CancelWhen(progress => progress.ToolOn, links[0].Withhold), stop.Token);
-        await links[0].SomebodyWaits;
+        await links[0].HasWaiter;
 
         await stop.CancelAsync();
         var atOnce = bench.Controller.Status.Outputs;
@@ -233,7 +233,7 @@ public class ProgramStrategyTests
         var result = await bench.RunAsync(MotionPrograms.Paper, Job);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("beyond the position range of the controller", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("beyond the position range of the controller", result.Message, StringComparison.Ordinal);
     }
 
     /// <summary>Strokes of two sequences side by side, one entity each.</summary>

@@ -31,7 +31,7 @@ public class HeightHoldTests
 
         var result = await HoldTests.RunAsync(bench, program, mode, Network, operators);
 
-        Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
+        Assert.Equal(("Done: 9 segments.", 1), (result.Message, result.Holds));
         HeightBench.AssertCut(bench, program);
         HeightBench.AssertGentle(bench, program);
         HeightBench.AssertStoodUp(bench, operators);
@@ -51,7 +51,7 @@ public class HeightHoldTests
 
         var result = await HoldTests.RunAsync(bench, program, mode, Network, operators);
 
-        Assert.Equal("Done: 9 segments.", result.Sentence);
+        Assert.Equal("Done: 9 segments.", result.Message);
         Assert.InRange(result.Holds, 6, 10);
         HeightBench.AssertCut(bench, program, most: 10.0 * result.Holds);
         HeightBench.AssertGentle(bench, program);
@@ -69,7 +69,7 @@ public class HeightHoldTests
 
         var result = await HoldTests.RunAsync(bench, program, mode, 19200, operators);
 
-        Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
+        Assert.Equal(("Done: 9 segments.", 1), (result.Message, result.Holds));
         HeightBench.AssertCut(bench, program);
         HeightBench.AssertStoodUp(bench, operators);
     }
@@ -90,7 +90,7 @@ public class HeightHoldTests
 
         var result = await HoldTests.RunAsync(bench, program, mode, Network, operators);
 
-        Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
+        Assert.Equal(("Done: 9 segments.", 1), (result.Message, result.Holds));
         HeightBench.AssertCut(bench, program);
         HeightBench.AssertGentle(bench, program); // it turned whenever the tool was in the work
         var record = bench.Controller.Record.Snapshot();
@@ -111,7 +111,7 @@ public class HeightHoldTests
 
         var result = await HoldTests.RunAsync(bench, program, mode, Network, operators, dryRun: true);
 
-        Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
+        Assert.Equal(("Done: 9 segments.", 1), (result.Message, result.Holds));
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal(0, sample.Outputs));
     }
 

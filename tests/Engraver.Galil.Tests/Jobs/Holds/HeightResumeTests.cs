@@ -29,7 +29,7 @@ public sealed class HeightResumeTests : IDisposable
         var first = await RunAsync(bench, program, mode, "a", null, new CancelWhen(HeightHoldTests.At(where), stop.Cancel), stop.Token);
         var second = await RunAsync(bench, program, mode, "b", await FindAsync(bench, program, mode, "a"), null, CancellationToken.None);
 
-        Assert.Equal((JobOutcome.Stopped, "Done: 9 segments."), (first.Outcome, second.Sentence));
+        Assert.Equal((JobOutcome.Stopped, "Done: 9 segments."), (first.Outcome, second.Message));
         HeightBench.AssertCut(bench, program, LeadIn + SinceLastPoll);
         HeightBench.AssertGentle(bench, program);
     }
@@ -47,7 +47,7 @@ public sealed class HeightResumeTests : IDisposable
         var second = await RunAsync(bench, program, mode, "b", found, null, CancellationToken.None);
 
         Assert.True(found.IsSameZero);
-        Assert.Equal("Done: 9 segments.", second.Sentence);
+        Assert.Equal("Done: 9 segments.", second.Message);
         HeightBench.AssertCut(bench, program, LeadIn + found.Doubt + SinceLastPoll);
         HeightBench.AssertGentle(bench, program);
     }
@@ -69,7 +69,7 @@ public sealed class HeightResumeTests : IDisposable
         Assert.False(found.IsSameZero);
         Assert.InRange(found.Place.Segments, 3, 4); // in the slope
         var along = (found.Place.Segments == 3 ? 0.0 : Math.Sqrt(100_640_000.0)) + found.Place.Along - LeadIn;
-        Assert.Equal("Done: 9 segments.", second.Sentence);
+        Assert.Equal("Done: 9 segments.", second.Message);
         var left = fresh.Controller.Record.Snapshot().First(sample => sample.C < 0);
         Assert.Equal(30000, left.B);
         Assert.Equal(5000.0 + (along * 10000.0 / Math.Sqrt(100_640_000.0)), left.A, 15.0);
@@ -82,14 +82,14 @@ public sealed class HeightResumeTests : IDisposable
 
     private string PathOf(string name) => Path.Combine(_folder, name + ".jsonl");
 
-    private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePlace? from, IProgress<JobProgress>? progress, CancellationToken stop)
+    private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePosition? from, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(journal), Frame = default(CountsPoint), Address = "bench" };
         if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
         return await bench.RunAsync(program, options, progress, stop);
     }
 
-    private async Task<ResumePlace> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
+    private async Task<ResumePosition> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
     {
         await using var session = await bench.OpenAsync();
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);

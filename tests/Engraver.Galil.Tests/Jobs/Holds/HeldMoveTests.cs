@@ -31,7 +31,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode, isAxis);
         var key = new JogControl(new JogVelocity(-600.0, 0.0));
-        var operators = new MovingOperator(Cutting(isAxis), now => now.X < -8000, HeldMove.To(new CountsPoint(-5000, 70000), withHeight: false), HeldMove.By(new CountsPoint(500, -2000, 0)), HeldMove.While(key));
+        var operators = new MovingOperator(Cutting(isAxis), now => now.X < -8000, MoveInHold.To(new CountsPoint(-5000, 70000), withHeight: false), MoveInHold.By(new CountsPoint(500, -2000, 0)), MoveInHold.While(key));
 
         var result = await RunAsync(bench, program, mode, operators);
         var moves = await Task.WhenAll(operators.Moves);
@@ -53,14 +53,14 @@ public sealed class HeldMoveTests : IDisposable
         var plain = Program(mode, isAxis);
         var axes = plain.Profile.Axes;
         var program = plain with { Profile = plain.Profile with { Axes = axes with { X = axes.X with { Travel = new AxisTravel(-90.0, 1200.0) }, Y = axes.Y with { Travel = new AxisTravel(-90.0, 700.0) } } } };
-        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.By(new CountsPoint(-200000, 0)), HeldMove.While(new JogControl(new JogVelocity(0.0, -2500.0))));
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, MoveInHold.By(new CountsPoint(-200000, 0)), MoveInHold.While(new JogControl(new JogVelocity(0.0, -2500.0))));
 
         var result = await RunAsync(bench, program, mode, operators, TravelLimits.Of(program.Profile));
         var moves = await Task.WhenAll(operators.Moves);
 
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         Assert.Equal((JobOutcome.Refused, "JOB0030", JobOutcome.Complete), (moves[0].Outcome, moves[0].Diagnostics.Single().Id, moves[1].Outcome));
-        Assert.Equal(TravelLimits.Of(axes.Y with { Travel = new AxisTravel(-90.0, 700.0) })!.Value.Least, moves[1].FinalPosition!.Value.Y);
+        Assert.Equal(TravelLimits.Of(axes.Y with { Travel = new AxisTravel(-90.0, 700.0) })!.Value.Min, moves[1].FinalPosition!.Value.Y);
         AssertCut(bench, program);
     }
 
@@ -71,7 +71,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode, isAxis);
         using var stop = new CancellationTokenSource();
-        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.To(new CountsPoint(20000, 30000), withHeight: false)) { WhenMoved = stop.Cancel };
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, MoveInHold.To(new CountsPoint(20000, 30000), withHeight: false)) { WhenMoved = stop.Cancel };
 
         var first = await RunAsync(bench, program, mode, operators, journal: "a", stop: stop.Token);
         var second = await ResumeAsync(bench, program, mode, "a", "b");
@@ -88,7 +88,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode, isAxis);
         var (died, diedAt) = (false, 0L);
-        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.While(new JogControl(new JogVelocity(1500.0, 0.0))))
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, MoveInHold.While(new JogControl(new JogVelocity(1500.0, 0.0))))
         {
             WhileMoving = now =>
             {
@@ -120,7 +120,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode, isAxis);
         var pressed = false;
-        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.While(new JogControl(new JogVelocity(1500.0, 0.0))), HeldMove.By(new CountsPoint(-3000, 0)))
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, MoveInHold.While(new JogControl(new JogVelocity(1500.0, 0.0))), MoveInHold.By(new CountsPoint(-3000, 0)))
         {
             WhileMoving = now =>
             {
@@ -133,7 +133,7 @@ public sealed class HeldMoveTests : IDisposable
         var moves = await Task.WhenAll(operators.Moves);
 
         Assert.Equal((JobOutcome.Refused, JobOutcome.Complete), (moves[0].Outcome, moves[1].Outcome));
-        Assert.Contains("limit", moves[0].Sentence, StringComparison.Ordinal);
+        Assert.Contains("limit", moves[0].Message, StringComparison.Ordinal);
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         AssertCut(bench, program);
     }
@@ -151,13 +151,13 @@ public sealed class HeldMoveTests : IDisposable
         {
             WhenMoved = () =>
             {
-                if (holds++ == 0) late = operators!.Control.MoveAsync(HeldMove.By(new CountsPoint(7777, -9999)));
+                if (holds++ == 0) late = operators!.Control.MoveAsync(MoveInHold.By(new CountsPoint(7777, -9999)));
                 operators!.Control.Resume();
             },
         };
         var again = new CancelWhen(now => late is not null && now.Phase == JobPhase.Running && now.ToolOn, operators.Control.Hold);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new Both(operators, again));
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new ProgressPair(operators, again));
 
         Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
         Assert.Equal(JobOutcome.Refused, (await late!).Outcome);
@@ -178,7 +178,7 @@ public sealed class HeldMoveTests : IDisposable
     {
         await using var bench = new SimulatedBench();
         var program = Pen();
-        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(0, 0, up)), HeldMove.By(new CountsPoint(500, -2000, 0)));
+        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, MoveInHold.By(new CountsPoint(0, 0, up)), MoveInHold.By(new CountsPoint(500, -2000, 0)));
 
         var result = await RunAsync(bench, program, mode, operators);
 
@@ -200,18 +200,18 @@ public sealed class HeldMoveTests : IDisposable
         var program = Pen();
         var (stage, again) = (0, default(Task<JobResult>));
         var operators = default(MovingOperator);
-        operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(500, -20000, 4000)))
+        operators = new MovingOperator(Cutting(isAxis: false), _ => false, MoveInHold.By(new CountsPoint(500, -20000, 4000)))
         {
             WhenMoved = () =>
             {
-                if (stage == 1) again = operators!.Control.MoveAsync(HeldMove.By(new CountsPoint(0, 0, 1000)));
+                if (stage == 1) again = operators!.Control.MoveAsync(MoveInHold.By(new CountsPoint(0, 0, 1000)));
                 else if (stage == 0 || again!.IsCompleted) operators!.Control.Resume();
                 stage++;
             },
         };
         var onTheWay = new CancelWhen(now => stage == 1 && now.Phase != JobPhase.Held && now.Place.Y is > -15000 and < -1000, operators.Control.Hold);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new Both(onTheWay, operators));
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new ProgressPair(onTheWay, operators));
 
         Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
         Assert.Equal(JobOutcome.Complete, (await again!).Outcome);
@@ -230,7 +230,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Pen();
         using var stop = new CancellationTokenSource();
-        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(0, 0, up))) { WhenMoved = stop.Cancel };
+        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, MoveInHold.By(new CountsPoint(0, 0, up))) { WhenMoved = stop.Cancel };
         Assert.Equal(JobOutcome.Stopped, (await RunAsync(bench, program, mode, operators, journal: "raised", stop: stop.Token)).Outcome);
         Assert.Equal(up, bench.Last.C);
         using var again = new CancellationTokenSource();
@@ -251,7 +251,7 @@ public sealed class HeldMoveTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode, isAxis);
         var (links, isEnded) = (new List<WithheldLink>(), false);
-        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.By(new CountsPoint(0, -1000)));
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, MoveInHold.By(new CountsPoint(0, -1000)));
         await using (var session = await bench.OpenAsync(opened: links.Add))
         {
             links[0].Sending = line =>
@@ -274,17 +274,17 @@ public sealed class HeldMoveTests : IDisposable
     public async Task A_job_that_is_not_held_lets_nobody_move_the_machine()
     {
         var control = new JobControl();
-        var running = await control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
+        var running = await control.MoveAsync(MoveInHold.By(new CountsPoint(100, 0)));
         control.Hold();
         control.Enter(JobPhase.Held);
-        var first = control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
-        var second = await control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
-        control.Over(JobResult.NotStarted(0, "over"));
+        var first = control.MoveAsync(MoveInHold.By(new CountsPoint(100, 0)));
+        var second = await control.MoveAsync(MoveInHold.By(new CountsPoint(100, 0)));
+        control.Complete(JobResult.NotStarted(0, "over"));
 
-        Assert.Contains("job is not held", running.Sentence, StringComparison.Ordinal);
-        Assert.Contains("manual move is not finished", second.Sentence, StringComparison.Ordinal);
-        Assert.Equal("over", (await first).Sentence);
-        Assert.Contains("job is not held", (await control.MoveAsync(HeldMove.By(new CountsPoint(1, 0)))).Sentence, StringComparison.Ordinal);
+        Assert.Contains("job is not held", running.Message, StringComparison.Ordinal);
+        Assert.Contains("manual move is not finished", second.Message, StringComparison.Ordinal);
+        Assert.Equal("over", (await first).Message);
+        Assert.Contains("job is not held", (await control.MoveAsync(MoveInHold.By(new CountsPoint(1, 0)))).Message, StringComparison.Ordinal);
     }
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -316,7 +316,7 @@ public sealed class HeldMoveTests : IDisposable
         }
 
         HoldRecord.AssertEverythingWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, most: 1500.0);
+        HoldRecord.AssertNoRepeatedCut(bench, program, most: 1500.0);
     }
 
     private Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, MovingOperator operators, IReadOnlyList<SoftLimit>? limits = null, string? journal = null, CancellationToken stop = default) =>
@@ -324,7 +324,7 @@ public sealed class HeldMoveTests : IDisposable
 
     private async Task<JobResult> ResumeAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, string next, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
     {
-        ResumePlace found;
+        ResumePosition found;
         await using (var session = await bench.OpenAsync()) found = await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
         Assert.Equal((null, true), (found.Refusal, found.IsSameZero));
         return await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt, HeightOfCut = found.HeightOfCut }, progress, stop);

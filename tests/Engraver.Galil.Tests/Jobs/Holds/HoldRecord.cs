@@ -12,7 +12,7 @@ internal static class HoldRecord
     private const int SamplesAtRest = 250;
 
     /// <summary>From the report of the hold until the resume nothing moves and the tool is off.</summary>
-    public static void AssertStoodHeld(SimulatedBench bench, HoldingOperator operators)
+    public static void AssertAtRestInHold(SimulatedBench bench, HoldingOperator operators)
     {
         var record = bench.Controller.Record.Snapshot();
         Assert.NotEmpty(operators.Held);
@@ -37,7 +37,7 @@ internal static class HoldRecord
     }
 
     /// <summary>The path with the tool on is at most <paramref name="most"/> counts longer than the drawing.</summary>
-    public static void AssertNothingWasCutTwice(SimulatedBench bench, MotionProgram program, double most)
+    public static void AssertNoRepeatedCut(SimulatedBench bench, MotionProgram program, double most)
     {
         var drawn = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         Assert.InRange(CutLength(bench.Controller.Record.Snapshot()), 0.0, (1.001 * drawn) + 5.0 + most);

@@ -31,8 +31,8 @@ public class HoldTests
 
         Assert.Equal((JobOutcome.Complete, 1, 1), (result.Outcome, result.SegmentsExecuted, result.Holds));
         CutRecord.AssertWholePathWasCut(bench, program);
-        HoldRecord.AssertStoodHeld(bench, operators);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, 0.0);
+        HoldRecord.AssertAtRestInHold(bench, operators);
+        HoldRecord.AssertNoRepeatedCut(bench, program, 0.0);
         HoldRecord.AssertNoBurnAtRest(bench, program.Profile);
         Assert.Equal([JobPhase.Holding, JobPhase.Held, JobPhase.Resuming, JobPhase.Running], operators.Phases.Take(4));
     }
@@ -49,7 +49,7 @@ public class HoldTests
 
         Assert.Equal((JobOutcome.Complete, 1), (result.Outcome, result.Holds));
         CutRecord.AssertWholePathWasCut(bench, program);
-        HoldRecord.AssertStoodHeld(bench, operators);
+        HoldRecord.AssertAtRestInHold(bench, operators);
         Assert.Equal((60000, 60000), (operators.HeldAt.X, operators.HeldAt.Y));
         HoldRecord.AssertNoBurnAtRest(bench, program.Profile);
     }
@@ -83,7 +83,7 @@ public class HoldTests
         Assert.Equal((JobOutcome.Complete, 1500), (result.Outcome, result.SegmentsExecuted));
         Assert.InRange(result.Holds, 8, 13);
         CutRecord.AssertWholePathWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, 0.0);
+        HoldRecord.AssertNoRepeatedCut(bench, program, 0.0);
         HoldRecord.AssertNoBurnAtRest(bench, program.Profile);
     }
 
@@ -101,7 +101,7 @@ public class HoldTests
         var result = await RunAsync(bench, MotionPrograms.LongLine(300000), mode, Network, operators, also: stranger);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains(said, result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(said, result.Message, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
@@ -144,6 +144,6 @@ public class HoldTests
     internal static async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, int baud, HoldingOperator operators, bool dryRun = false, IProgress<JobProgress>? also = null, string? journal = null, CancellationToken stop = default)
     {
         await using var session = baud == Network ? await bench.OpenAsync() : await bench.OpenSerialAsync(baud);
-        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, DryRun = dryRun, JournalPath = journal }, also is null ? operators : new Both(operators, also), stop);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, DryRun = dryRun, JournalPath = journal }, also is null ? operators : new ProgressPair(operators, also), stop);
     }
 }

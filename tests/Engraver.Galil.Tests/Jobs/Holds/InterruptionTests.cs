@@ -37,7 +37,7 @@ public sealed class InterruptionTests : IDisposable
         var (resumes, kills) = await CutAsync(bench, random, mode, program, seed);
 
         HoldRecord.AssertEverythingWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, (resumes * (LeadIn + SinceLastPoll)) + (RemainingProgram.WholeCountSearch * HoldsAway));
+        HoldRecord.AssertNoRepeatedCut(bench, program, (resumes * (LeadIn + SinceLastPoll)) + (RemainingProgram.WholeCountSearch * HoldsAway));
         HoldRecord.AssertNoBurnAtRest(bench, program.Profile, kills);
     }
 
@@ -63,20 +63,20 @@ public sealed class InterruptionTests : IDisposable
     /// <returns>How often it was resumed, and how often its host was lost.</returns>
     private async Task<(int Resumes, int Kills)> CutAsync(SimulatedBench bench, Random random, JobMode mode, MotionProgram program, int seed)
     {
-        var (from, resumes, kills, journal, outcome) = (default(ResumePlace), 0, 0, "", JobOutcome.Stopped);
+        var (from, resumes, kills, journal, outcome) = (default(ResumePosition), 0, 0, "", JobOutcome.Stopped);
         for (var run = 0; outcome != JobOutcome.Complete; run++)
         {
             Assert.InRange(run, 0, 12);
             journal = Path.Combine(_folder, $"{run}.jsonl");
             using var stop = new CancellationTokenSource();
-            var trouble = run < 6 ? new Trouble(bench, random, stop) : null;
+            var trouble = run < 6 ? new RandomInterruption(bench, random, stop) : null;
             var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = journal, Frame = default(CountsPoint), Address = "bench", Control = trouble?.Control };
             if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
 
             var result = await bench.RunAsync(program, options, trouble, stop.Token);
 
             outcome = result.Outcome;
-            Assert.True(outcome is JobOutcome.Complete or JobOutcome.Stopped or JobOutcome.LinkLost, $"seed {seed}, run {run}: {result.Sentence}");
+            Assert.True(outcome is JobOutcome.Complete or JobOutcome.Stopped or JobOutcome.LinkLost, $"seed {seed}, run {run}: {result.Message}");
             bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
             if (outcome == JobOutcome.Complete) continue;
             resumes++;
@@ -90,7 +90,7 @@ public sealed class InterruptionTests : IDisposable
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
-    private static async Task<ResumePlace> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
+    private static async Task<ResumePosition> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
     {
         await using var session = await bench.OpenAsync();
         return await ResumeFinder.FindAsync(session.Commands, program, mode, journal, CancellationToken.None);
@@ -149,7 +149,7 @@ public sealed class InterruptionTests : IDisposable
     }
 
     /// <summary>Random holds, steps away during a hold, and overrides, and one end.</summary>
-    private sealed class Trouble(SimulatedBench bench, Random random, CancellationTokenSource stop) : IProgress<JobProgress>
+    private sealed class RandomInterruption(SimulatedBench bench, Random random, CancellationTokenSource stop) : IProgress<JobProgress>
     {
         private readonly double _end = 0.1 + (4.0 * random.NextDouble());
         private readonly bool _isKill = random.Next(2) == 0;
@@ -172,7 +172,7 @@ public sealed class InterruptionTests : IDisposable
             if (value.Phase == JobPhase.Held && _steps > 0)
             {
                 _steps--;
-                _ = Control.MoveAsync(HeldMove.By(new CountsPoint(random.Next(-4000, 4000), random.Next(-4000, 4000))));
+                _ = Control.MoveAsync(MoveInHold.By(new CountsPoint(random.Next(-4000, 4000), random.Next(-4000, 4000))));
             }
 
             if (Control.IsHoldWanted && value.Seconds > _until) Control.Resume();

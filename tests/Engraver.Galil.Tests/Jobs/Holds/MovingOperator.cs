@@ -6,7 +6,7 @@ namespace Engraver.Galil.Tests.Jobs.Holds;
 /// <summary>An operator who holds a job, moves the machine by hand during the hold, and resumes it. Acts on the job's own thread, at its reports.</summary>
 /// <param name="at">When to hold.</param>
 /// <param name="moves">In order; a key is released once <paramref name="released"/> returns true.</param>
-internal sealed class MovingOperator(Func<JobProgress, bool> at, Func<JobProgress, bool> released, params HeldMove[] moves) : IProgress<JobProgress>
+internal sealed class MovingOperator(Func<JobProgress, bool> at, Func<JobProgress, bool> released, params MoveInHold[] moves) : IProgress<JobProgress>
 {
     private int _next;
     private bool _asked;

@@ -37,7 +37,7 @@ public sealed class ResumeTests : IDisposable
         Assert.InRange(found.Place.Along, 37000, 40500);
         Assert.Equal(100000, Assert.Single(second.LengthByStroke), 2.0);
         HoldRecord.AssertEverythingWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, LeadIn + SinceLastPoll);
+        HoldRecord.AssertNoRepeatedCut(bench, program, LeadIn + SinceLastPoll);
     }
 
     [Theory]
@@ -57,7 +57,7 @@ public sealed class ResumeTests : IDisposable
         Assert.Equal(tripped - 1000, found.Place.Along, 120.0);
         Assert.Equal(JobOutcome.Complete, second.Outcome);
         HoldRecord.AssertEverythingWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, LeadIn + found.Doubt + 120.0);
+        HoldRecord.AssertNoRepeatedCut(bench, program, LeadIn + found.Doubt + 120.0);
     }
 
     [Fact]
@@ -81,7 +81,7 @@ public sealed class ResumeTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(1200);
         JobResult result;
-        ResumePlace? from = null;
+        ResumePosition? from = null;
         var runs = 0;
         do
         {
@@ -96,7 +96,7 @@ public sealed class ResumeTests : IDisposable
         Assert.Equal((JobOutcome.Complete, 1200), (result.Outcome, result.SegmentsExecuted));
         Assert.InRange(runs, 6, 10);
         HoldRecord.AssertEverythingWasCut(bench, program);
-        HoldRecord.AssertNothingWasCutTwice(bench, program, (runs - 1) * (LeadIn + SinceLastPoll));
+        HoldRecord.AssertNoRepeatedCut(bench, program, (runs - 1) * (LeadIn + SinceLastPoll));
     }
 
     [Theory]
@@ -161,14 +161,14 @@ public sealed class ResumeTests : IDisposable
 
     private string PathOf(string name) => Path.Combine(_folder, name + ".jsonl");
 
-    private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePlace? from, IProgress<JobProgress>? progress, CancellationToken stop, bool dryRun = false)
+    private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePosition? from, IProgress<JobProgress>? progress, CancellationToken stop, bool dryRun = false)
     {
         var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(journal), Frame = default(CountsPoint), DryRun = dryRun, Address = "bench" };
         if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
         return await bench.RunAsync(program, options, progress, stop);
     }
 
-    private async Task<ResumePlace> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
+    private async Task<ResumePosition> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
     {
         await using var session = await bench.OpenAsync();
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);

@@ -51,5 +51,5 @@ public class PhaseTests
     [Theory]
     [InlineData(false, HoldPoint.AtGate)]
     [InlineData(true, HoldPoint.OnPath)]
-    public void Where_a_hold_takes_effect_depends_on_the_path(bool isRunning, object at) => Assert.Equal(at, Phase.Idle.HoldPointAt(new MachineState { SequenceRunning = isRunning }));
+    public void Where_a_hold_takes_effect_depends_on_the_path(bool isRunning, object at) => Assert.Equal(at, Phase.Idle.HoldPointAt(new JobPoll { SequenceRunning = isRunning }));
 }

@@ -88,7 +88,7 @@ public class JobTimeTests
         var planned = JobTime.Estimate(program, new SerialLine(baud), mode).Total;
         var result = await bench.RunSerialAsync(baud, program, mode);
 
-        Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
+        Assert.True(result.Outcome == JobOutcome.Complete, result.Message);
         return (planned, result.Seconds);
     }
 

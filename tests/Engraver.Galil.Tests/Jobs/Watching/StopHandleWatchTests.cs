@@ -47,7 +47,7 @@ public class StopHandleWatchTests
         var cut = new CancelWhen(progress => progress.X > 20000, () => Cut(links[1]));
         var press = new CancelWhen(progress => progress.X > 150000, stop.Cancel);
 
-        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, new Both(cut, press), stop.Token);
+        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, new ProgressPair(cut, press), stop.Token);
 
         Assert.Equal((JobOutcome.Stopped, "MOT0022"), (result.Outcome, Assert.Single(result.Diagnostics).Id));
         Assert.Contains("no handle is free", result.Diagnostics[0].Message, StringComparison.Ordinal);

@@ -80,7 +80,7 @@ public sealed class JobWireTests : IDisposable
     {
         var folder = Path.Combine(RepositoryFolder.Root, "artifacts", "wires");
         Directory.CreateDirectory(folder);
-        File.WriteAllText(Path.Combine(folder, name.Replace(' ', '-') + ".txt"), wire.Text + "\n" + string.Join('\n', results.Select(result => $"= {result.Outcome} {result.Place} {result.FinalPosition} {result.Holds} {result.PositionDoubt} {result.Sentence}")) + "\n");
+        File.WriteAllText(Path.Combine(folder, name.Replace(' ', '-') + ".txt"), wire.Text + "\n" + string.Join('\n', results.Select(result => $"= {result.Outcome} {result.Place} {result.FinalPosition} {result.Holds} {result.PositionDoubt} {result.Message}")) + "\n");
         return $"{name}: {string.Join(", ", results.Select(result => $"{result.Outcome} at {result.SegmentsExecuted}"))}: {wire.Digest}";
     }
 }

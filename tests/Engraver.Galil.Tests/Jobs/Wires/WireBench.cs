@@ -26,7 +26,7 @@ internal sealed class WireBench(int baud, int programLines = 1000, Func<string, 
     public JogControl Key { get; } = new(new JogVelocity(-600.0, 300.0));
 
     public Task<ControllerSession> OpenAsync() => ControllerSession.OpenAsync(
-        _ => Task.FromResult(Wire.Over(new WithheldLink(baud == 0 ? new StreamLink(Controller.OpenConnection(), "memory") : _bench.OpenSerialLink(baud)) { Harm = harm })),
+        _ => Task.FromResult(Wire.Over(new WithheldLink(baud == 0 ? new StreamLink(Controller.OpenConnection(), "memory") : _bench.OpenSerialLink(baud)) { Corrupt = harm })),
         new SessionOptions(), _bench.Clock, CancellationToken.None);
 
     /// <summary>Commands of another host, which are not recorded.</summary>

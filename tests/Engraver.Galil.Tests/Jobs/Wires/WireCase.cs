@@ -77,9 +77,9 @@ internal sealed record WireCase(string Name, Func<JobMode, MotionProgram> Progra
 
     private static WireStep Rapid(double at, double ratio) => new(at, bench => bench.Control.RapidRatio = ratio);
 
-    private static WireStep Step(double at) => new(at, bench => _ = bench.Control.MoveAsync(HeldMove.By(new CountsPoint(2000, -1500, 400))));
+    private static WireStep Step(double at) => new(at, bench => _ = bench.Control.MoveAsync(MoveInHold.By(new CountsPoint(2000, -1500, 400))));
 
-    private static WireStep Press(double at) => new(at, bench => _ = bench.Control.MoveAsync(HeldMove.While(bench.Key)));
+    private static WireStep Press(double at) => new(at, bench => _ = bench.Control.MoveAsync(MoveInHold.While(bench.Key)));
 
     private static WireStep Release(double at) => new(at, bench => bench.Key.Release());
 

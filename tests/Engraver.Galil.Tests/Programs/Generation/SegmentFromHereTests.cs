@@ -14,7 +14,7 @@ public class SegmentFromHereTests
     public void An_arc_ends_where_it_was_planned_though_it_begins_a_count_beside()
     {
         var here = new CountsPoint(1000, -2);
-        var again = SegmentFromHere.Aim(Quarter, Start, here, Quantum);
+        var again = SegmentFromPosition.Adapt(Quarter, Start, here, Quantum);
         var end = new ArcPrediction(new Point2D(here.X, here.Y), again.Radius, again.ThetaDegrees, again.DeltaDegrees).End;
 
         Assert.True(end.DistanceTo(new Point2D(0, 1000)) < 1.0, $"ends at {end}");
@@ -23,8 +23,8 @@ public class SegmentFromHereTests
     }
 
     [Fact]
-    public void From_where_it_was_planned_nothing_changes() => Assert.Equal(Quarter, SegmentFromHere.Aim(Quarter, Start, Start, Quantum));
+    public void From_where_it_was_planned_nothing_changes() => Assert.Equal(Quarter, SegmentFromPosition.Adapt(Quarter, Start, Start, Quantum));
 
     [Fact]
-    public void An_arc_that_no_aim_keeps_within_a_count_stays_as_planned() => Assert.Equal(Quarter, SegmentFromHere.Aim(Quarter, Start, new CountsPoint(1090, 40), Quantum));
+    public void An_arc_that_no_aim_keeps_within_a_count_stays_as_planned() => Assert.Equal(Quarter, SegmentFromPosition.Adapt(Quarter, Start, new CountsPoint(1090, 40), Quantum));
 }

@@ -230,9 +230,9 @@ public class DmcPostTests
     private static MotionProgram Program(Toolpath toolpath, MachineProfile profile, MotionStyle style) =>
         MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
-    private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, PostText> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
+    private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, PostOutput> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
 
-    private static PostText Post(MotionProgram program, DmcPostOptions options) => DmcPostOf(program.Style)(program, options, null);
+    private static PostOutput Post(MotionProgram program, DmcPostOptions options) => DmcPostOf(program.Style)(program, options, null);
 
     private static List<string> Lines(string text) => [.. text.TrimEnd('\n').Split('\n')];
 

@@ -38,11 +38,11 @@ public class PostFindingsTests
         {
             var alone = DmcPost.Sequences(program with { Strokes = [stroke] }, DmcPostOptions.Default with { MemoryLines = 1_000_000 });
             var nothing = DmcPost.Sequences(program with { Strokes = [] }, DmcPostOptions.Default with { MemoryLines = 1_000_000 });
-            Assert.InRange(Lines(alone) - Lines(nothing), 1, SequenceWriter.MostLines(stroke));
+            Assert.InRange(Lines(alone) - Lines(nothing), 1, SequenceWriter.MaxLines(stroke));
         }
     }
 
-    private static int Lines(PostText text) => text.Text.Count(character => character == '\n');
+    private static int Lines(PostOutput text) => text.Text.Count(character => character == '\n');
 
     /// <summary>Teeth of one millimetre; flat ones, so that many of them are one sequence, and every tenth sharp.</summary>
     private static ToolpathStroke Zigzag(int index, int segments)

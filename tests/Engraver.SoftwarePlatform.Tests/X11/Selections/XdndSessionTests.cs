@@ -17,14 +17,14 @@ public sealed class XdndSessionTests
         _session.Enter(Source, offersFiles: true);
         _session.Position(Source, 10, 20, 1);
         _session.Position(Source, 11, 21, 2);
-        Assert.Equal(["files?"], _partner.Said);
+        Assert.Equal(["files?"], _partner.Calls);
 
         _session.FilesArrived(["/a.dxf"]);
         _session.Answer(RawDragEventType.DragOver, accepted: true);
         _session.Drop(Source, 3);
         _session.Answer(RawDragEventType.Drop, accepted: true);
 
-        Assert.Equal(["files?", "DragEnter 11,21 /a.dxf", "DragOver 11,21 /a.dxf", "status 7 True", "Drop 11,21 /a.dxf", "finished 7 True"], _partner.Said);
+        Assert.Equal(["files?", "DragEnter 11,21 /a.dxf", "DragOver 11,21 /a.dxf", "status 7 True", "Drop 11,21 /a.dxf", "finished 7 True"], _partner.Calls);
     }
 
     [Fact]
@@ -35,7 +35,7 @@ public sealed class XdndSessionTests
         _session.Drop(Source, 2);
         _session.FilesArrived(["/a.dxf"]);
 
-        Assert.Equal(["files?", "DragEnter 1,2 /a.dxf", "DragOver 1,2 /a.dxf", "Drop 1,2 /a.dxf"], _partner.Said);
+        Assert.Equal(["files?", "DragEnter 1,2 /a.dxf", "DragOver 1,2 /a.dxf", "Drop 1,2 /a.dxf"], _partner.Calls);
     }
 
     [Fact]
@@ -45,7 +45,7 @@ public sealed class XdndSessionTests
         _session.Position(Source, 1, 2, 1);
         _session.Drop(Source, 2);
 
-        Assert.Equal(["status 7 False", "finished 7 False"], _partner.Said);
+        Assert.Equal(["status 7 False", "finished 7 False"], _partner.Calls);
     }
 
     [Fact]
@@ -55,7 +55,7 @@ public sealed class XdndSessionTests
         _session.Position(Source, 1, 2, 1);
         _session.FilesArrived(null);
 
-        Assert.Equal(["files?", "status 7 False"], _partner.Said);
+        Assert.Equal(["files?", "status 7 False"], _partner.Calls);
     }
 
     [Fact]
@@ -68,7 +68,7 @@ public sealed class XdndSessionTests
         _session.Answer(RawDragEventType.DragOver, accepted: true);
         _session.Position(Source, 5, 5, 9);
 
-        Assert.Equal(["files?", "DragEnter 1,2 /a.dxf", "DragOver 1,2 /a.dxf", "DragLeave 1,2 /a.dxf"], _partner.Said);
+        Assert.Equal(["files?", "DragEnter 1,2 /a.dxf", "DragOver 1,2 /a.dxf", "DragLeave 1,2 /a.dxf"], _partner.Calls);
     }
 
     [Fact]
@@ -78,19 +78,19 @@ public sealed class XdndSessionTests
         _session.Position(8, 1, 2, 1);
         _session.Drop(8, 2);
 
-        Assert.Empty(_partner.Said);
+        Assert.Empty(_partner.Calls);
     }
 
     private sealed class RecordingPartner : IXdndPartner
     {
-        public List<string> Said { get; } = [];
+        public List<string> Calls { get; } = [];
 
-        public void RequestFiles(nint time) => Said.Add("files?");
+        public void RequestFiles(nint time) => Calls.Add("files?");
 
-        public void Tell(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files) => Said.Add($"{type} {rootX},{rootY} {string.Join(' ', files)}");
+        public void SendToWindow(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files) => Calls.Add($"{type} {rootX},{rootY} {string.Join(' ', files)}");
 
-        public void SendStatus(nint source, bool accepted) => Said.Add($"status {source} {accepted}");
+        public void SendStatus(nint source, bool accepted) => Calls.Add($"status {source} {accepted}");
 
-        public void SendFinished(nint source, bool accepted) => Said.Add($"finished {source} {accepted}");
+        public void SendFinished(nint source, bool accepted) => Calls.Add($"finished {source} {accepted}");
     }
 }

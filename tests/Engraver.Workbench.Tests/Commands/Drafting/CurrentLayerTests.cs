@@ -24,16 +24,16 @@ public class CurrentLayerTests
     {
         await using var talk = WithLayers();
 
-        Assert.Contains("no layer 'nowhere'", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CLAYER", "nowhere")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("'Cold' is frozen", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CLAYER", "COLD")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("no layer 'nowhere'", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CLAYER", "nowhere")).Message, StringComparison.Ordinal);
+        Assert.Contains("'Cold' is frozen", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CLAYER", "COLD")).Message, StringComparison.Ordinal);
         Assert.Equal("0", talk.State.CurrentLayer);
     }
 
-    private static CommandTalk WithLayers()
+    private static CommandTestSession WithLayers()
     {
-        var talk = CommandTalk.WithDrawing();
+        var talk = CommandTestSession.WithDrawing();
         var drawing = talk.State.Drawing!;
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing with { Layers = [.. drawing.Layers, new Layer("Marks", true, false, true), new Layer("Cold", true, true, true)] } });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing with { Layers = [.. drawing.Layers, new Layer("Marks", true, false, true), new Layer("Cold", true, true, true)] } });
         return talk;
     }
 }

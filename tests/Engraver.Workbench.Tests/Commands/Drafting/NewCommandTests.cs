@@ -7,7 +7,7 @@ public class NewCommandTests
     [Fact]
     public async Task An_empty_drawing_in_millimetres_with_layer_0_and_nothing_to_save()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("NEW");
         var drawing = talk.State.Drawing!;
 
@@ -21,7 +21,7 @@ public class NewCommandTests
     [Fact]
     public async Task What_is_open_and_not_saved_is_told_and_comes_back_with_undo()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("L", "0,50", "1,50", "", "NEW");
         Assert.Contains("unsaved changes", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("U");
@@ -32,7 +32,7 @@ public class NewCommandTests
     [Fact]
     public async Task Saving_asks_for_a_name_once_and_then_knows_the_file()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("NEW", "C", "5,5", "3", "QSAVE");
         Assert.Contains("name of DXF file", talk.Session.Prompt.Text, StringComparison.Ordinal);
         await talk.TypeAsync("mine.dxf");
@@ -41,7 +41,7 @@ public class NewCommandTests
         Assert.Equal(talk.PathOf("mine.dxf"), talk.Session.Document.FilePath);
         await talk.TypeAsync("L", "0,0", "1,0", "", "QSAVE", "Yes", "OPEN", "mine.dxf");
 
-        Assert.Equal(["Circle (5,5 r3)", "Line (0,0 1,0)"], DrawnText.Of(talk.State.Drawing));
+        Assert.Equal(["Circle (5,5 r3)", "Line (0,0 1,0)"], CurveText.Of(talk.State.Drawing));
         Assert.False(talk.State.Drawing!.IsNew);
         Assert.Equal("mm", talk.State.Drawing.Unit.Name);
     }
@@ -56,10 +56,10 @@ public class NewCommandTests
         foreach (var input in new[] { "NEW", "CIRCLE", "5,5", "3", "SAVEAS", "mine.dxf", "CIRCLE", "9,9", "1", "NEW" }) await session.EnterAsync(input, CancellationToken.None);
         Assert.Equal("Save changes to mine.dxf? [Yes/No] <Yes>:", session.Prompt.Text);
         await session.EnterAsync(answer, CancellationToken.None);
-        Assert.Empty(DrawnText.Of(session.Document.Current.Drawing));
+        Assert.Empty(CurveText.Of(session.Document.Current.Drawing));
         await session.EnterAsync("OPEN", CancellationToken.None);
         await session.EnterAsync("mine.dxf", CancellationToken.None);
-        var drawn = DrawnText.Of(session.Document.Current.Drawing);
+        var drawn = CurveText.Of(session.Document.Current.Drawing);
         folder.Delete(recursive: true);
 
         Assert.Equal(saves ? 2 : 1, drawn.Length);
@@ -68,7 +68,7 @@ public class NewCommandTests
     [Fact]
     public async Task Undo_after_saving_still_knows_the_file()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("C", "5,5", "3", "C", "9,9", "1", "SAVEAS", "mine.dxf", "U");
         Assert.Equal((1, talk.PathOf("mine.dxf"), true), (talk.State.Drawing!.Entities.Count, talk.Session.Document.FilePath, talk.Session.Document.HasFile));
 
@@ -91,9 +91,9 @@ public class NewCommandTests
     [InlineData("CLOSE")]
     public async Task Commands_take_an_empty_drawing(params string[] inputs)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var result = await talk.TypeAsync(["NEW", .. inputs]);
 
-        Assert.False(result is InputResult.Failed { Bug: not null } or InputResult.Asking, talk.Said);
+        Assert.False(result is InputResult.Failed { Exception: not null } or InputResult.AwaitingInput, talk.Said);
     }
 }

@@ -18,28 +18,28 @@ public class OutlineCommandTests
     [InlineData("C", "1", "0.5", "0,0", "4,2", "(0.5,0 3,0) (3,0 4,0.5) (4,0.5 4,1) (4,1 3.5,2) (3.5,2 1,2) (1,2 0,1.5) (0,1.5 0,1) (0,1 0.5,0)")]
     public async Task Rectangles(params string[] inputsAndOutline)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(["REC", .. inputsAndOutline[..^1]]));
 
-        Assert.Equal([$"LwPolyline closed {inputsAndOutline[^1]}"], DrawnText.Of(talk.State.Drawing));
+        Assert.Equal([$"LwPolyline closed {inputsAndOutline[^1]}"], CurveText.Of(talk.State.Drawing));
     }
 
     [Fact]
     public async Task Corners_and_turn_of_a_rectangle_are_kept_for_the_next_and_told()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("RECTANG", "F", "1", "0,0", "4,4", "RECTANG");
         Assert.Contains("Fillet=1", talk.Said, StringComparison.Ordinal);
         Assert.Equal("Specify first corner point or [Chamfer/Fillet]:", talk.Session.Prompt.Text);
         await talk.TypeAsync("F", "0", "10,0", "12,1");
 
-        Assert.Equal("LwPolyline closed (10,0 12,0) (12,0 12,1) (12,1 10,1) (10,1 10,0)", DrawnText.Of(talk.State.Drawing)[^1]);
+        Assert.Equal("LwPolyline closed (10,0 12,0) (12,0 12,1) (12,1 10,1) (10,1 10,0)", CurveText.Of(talk.State.Drawing)[^1]);
     }
 
     [Fact]
     public async Task A_polygon_smaller_than_the_digits_of_its_place_is_asked_for_again()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("POLYGON", "4", "1e8,1e8", "I", "1e-9");
 
         Assert.Equal("POLYGON", talk.Session.Prompt.Command);
@@ -49,12 +49,12 @@ public class OutlineCommandTests
     [Fact]
     public async Task A_rectangle_without_width_is_asked_for_again_and_seen_beforehand()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("REC", "0,0", "5,0");
         Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
 
-        Assert.Equal(4, talk.Session.Prompt.Aim!.Ghost!(new(3, 3)).Count);
-        Assert.Empty(talk.Session.Prompt.Aim!.Ghost!(new(3, 0)));
+        Assert.Equal(4, talk.Session.Prompt.PointRequest!.Ghost!(new(3, 3)).Count);
+        Assert.Empty(talk.Session.Prompt.PointRequest!.Ghost!(new(3, 0)));
     }
 
     [Theory]
@@ -65,17 +65,17 @@ public class OutlineCommandTests
     [InlineData("3", "0,0", "I", "2", "(1.732051,-1 0,2) (0,2 -1.732051,-1) (-1.732051,-1 1.732051,-1)")]
     public async Task Polygons(params string[] inputsAndOutline)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(["POL", .. inputsAndOutline[..^1]]));
 
-        Assert.Equal([$"LwPolyline closed {inputsAndOutline[^1]}"], DrawnText.Of(talk.State.Drawing));
+        Assert.Equal([$"LwPolyline closed {inputsAndOutline[^1]}"], CurveText.Of(talk.State.Drawing));
     }
 
     [Fact]
     public async Task Sides_of_the_last_polygon_are_the_default_and_two_are_too_few()
     {
-        await using var talk = new CommandTalk();
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("POLYGON", "2"));
+        await using var talk = new CommandTestSession();
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("POLYGON", "2"));
         await talk.TypeAsync("6", "0,0", "C", "5", "POLYGON");
         Assert.Equal("Enter number of sides <6>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("", "0,0");
@@ -95,17 +95,17 @@ public class OutlineCommandTests
     [InlineData("A", "C", "0,0", "10,0", "10", "0", "90", "Arc (0,0 r10 from 0 by 90)")]
     public async Task Ellipses(params string[] inputsAndEllipse)
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(["EL", .. inputsAndEllipse[..^1]]));
 
-        Assert.Equal([inputsAndEllipse[^1]], DrawnText.Of(talk.State.Drawing));
+        Assert.Equal([inputsAndEllipse[^1]], CurveText.Of(talk.State.Drawing));
     }
 
     /// <summary>By its parameter a point at 45 degrees of an ellipse of 10 by 5 is 7.07,3.54; seen at 45 degrees it is 4.47,4.47.</summary>
     [Fact]
     public async Task An_angle_is_where_a_point_is_seen_and_a_parameter_is_not()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("EL", "A", "C", "0,0", "10,0", "5", "45", "180", "EL", "A", "C", "0,0", "10,0", "5", "P", "45", "180");
         var starts = new[] { 0, 1 }.Select(index => DrawingPick.Segments(talk.State.Drawing!, index).Single().Start).ToArray();
 
@@ -116,11 +116,11 @@ public class OutlineCommandTests
     [Fact]
     public async Task An_ellipse_with_no_other_axis_is_asked_for_again()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         await talk.TypeAsync("EL", "-10,0", "10,0", "0.000001");
         Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("5", "U");
 
-        Assert.Empty(DrawnText.Of(talk.State.Drawing));
+        Assert.Empty(CurveText.Of(talk.State.Drawing));
     }
 }

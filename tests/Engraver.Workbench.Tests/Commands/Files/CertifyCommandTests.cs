@@ -9,8 +9,8 @@ public class CertifyCommandTests
     [Fact]
     public async Task The_certificate_stands_beside_the_drawing_and_arming_shows_it_until_a_setting_changes()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "CNCCONNECT", "sim:");
         await talk.TypeAsync("CNCARM", "Stream");
         Assert.Contains("The drawing has no certificate; CERTIFY", talk.Said, StringComparison.Ordinal);
@@ -31,8 +31,8 @@ public class CertifyCommandTests
     [InlineData("gcode", null, "part.gcode.certificate.json")]
     public async Task A_kind_of_controller_is_chosen_with_the_target(string typed, string? dialect, string file)
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("OPEN", "part.dxf", "CERTIFY", typed));
         var program = CertificateFile.Read(talk.PathOf(file)).Certificate!.Program;
@@ -42,30 +42,30 @@ public class CertifyCommandTests
     [Fact]
     public async Task Edits_that_no_file_holds_are_not_certified()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "MOVE", "ALL", "", "0,0", "1,0");
 
-        Assert.Contains("changes that are not in its file", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CERTIFY")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("changes that are not in its file", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CERTIFY")).Message, StringComparison.Ordinal);
         Assert.False(File.Exists(talk.PathOf("part.certificate.json")));
     }
 
     [Fact]
     public async Task What_the_window_draws_follows_the_document()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf");
         var seen = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         talk.Session.Certificates.Changed += (_, _) => seen.TrySetResult();
         var derived = await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
         await seen.Task.WaitAsync(TimeSpan.FromSeconds(60));
-        Assert.Equal(CertificateState.None, talk.Session.Certificates.StandingOf(derived.Job!)!.State);
+        Assert.Equal(CertificateState.None, talk.Session.Certificates.StatusOf(derived.Job!)!.State);
 
         await talk.TypeAsync("CERTIFY", "Galil");
-        Assert.Equal(CertificateState.Stands, talk.Session.Certificates.StandingOf(derived.Job!)!.State);
+        Assert.Equal(CertificateState.Stands, talk.Session.Certificates.StatusOf(derived.Job!)!.State);
         await talk.TypeAsync("CNCMAXERR", "0.002");
         var other = await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
-        Assert.NotEqual(CertificateState.Stands, talk.Session.Certificates.StandingOf(other.Job!)?.State);
+        Assert.NotEqual(CertificateState.Stands, talk.Session.Certificates.StatusOf(other.Job!)?.State);
     }
 }

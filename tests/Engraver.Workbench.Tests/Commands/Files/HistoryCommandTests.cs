@@ -8,11 +8,11 @@ public class HistoryCommandTests
     [Fact]
     public async Task Runs_simulations_and_programs_are_in_it_and_one_is_opened_with_its_settings_again()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "CNCMAXERR", "0.004", "CNCFEED", "654", "CNCSIM", "POST", "Galil", "job.dmc", "AGIEPOST", "Exact", "job.agie", "EXPORT", "other.dmc", "EXPORT", "picture.svg");
         await talk.TypeAsync("CNCCONNECT", "sim:", "CNCARM", "Calls", "CNCRUN");
-        var entries = talk.Session.History.Look().Entries;
+        var entries = talk.Session.History.Refresh().Entries;
 
         Assert.Equal(["run", "post", "post", "post", "simulation"], entries.Select(entry => entry.Kind));
         Assert.Equal(["galil-calls", "galil", "agie", "galil", "galil"], entries.Select(entry => entry.Target));
@@ -33,10 +33,10 @@ public class HistoryCommandTests
     [Fact]
     public async Task It_is_listed_searched_and_says_what_it_has_not()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HISTORY", ""));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HISTORY", "Rerun"));
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "POST", "Galil", "a.dmc", "OPEN", CommandTalk.Sample("gasket.dxf"), "POST", "Galil", "b.dmc", "HISTORY", "Search", "paper");
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("paper-001.dxf"), "POST", "Galil", "a.dmc", "OPEN", CommandTestSession.Sample("gasket.dxf"), "POST", "Galil", "b.dmc", "HISTORY", "Search", "paper");
 
         Assert.Contains("   2  ", talk.Said, StringComparison.Ordinal);
         Assert.Contains("paper-001.dxf  post galil  written", talk.Said, StringComparison.Ordinal);
@@ -50,8 +50,8 @@ public class HistoryCommandTests
     [Fact]
     public async Task A_drawing_that_is_another_file_now_is_said()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "POST", "Galil", "a.dmc");
         await File.AppendAllTextAsync(talk.PathOf("part.dxf"), "\n");
         await talk.TypeAsync("HISTORY", "Rerun", "1");

@@ -31,12 +31,12 @@ public class LinkCommandTests
     [Fact]
     public async Task Where_a_posted_contour_begins_is_known_and_the_linked_program_is_verified()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(3, 4, 20, 4).Build() });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(3, 4, 20, 4).Build() });
         await talk.TypeAsync("AGIEPOST", "Exact", "a.agie");
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(60, 0, 5.5).Build() });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(60, 0, 5.5).Build() });
         await talk.TypeAsync("AGIEPOST", "Exact", "b.agie");
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(3, 4, 20, 4).Circle(60, 0, 5.5).Build() });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(3, 4, 20, 4).Circle(60, 0, 5.5).Build() });
         await talk.TypeAsync("LINK", "a.agie", "", "b.agie", "", "", "c.agie");
 
         Assert.IsNotType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "c.agie"));
@@ -47,14 +47,14 @@ public class LinkCommandTests
     [Fact]
     public async Task A_program_that_was_linked_with_an_entering_entity_is_verified_from_where_it_begins()
     {
-        await using var talk = new CommandTalk();
+        await using var talk = new CommandTestSession();
         var drawing = new DrawingBuilder().Line(3, 4, 20, 4).Circle(60, 0, 5.5).Build();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing, Settings = new DrawingSettings { Enter = new EnteringPlace.ByPoint(new Point2D(60, 5.5)) } });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing, Settings = new DrawingSettings { Enter = new EntryPoint.ByPoint(new Point2D(60, 5.5)) } });
         await talk.TypeAsync("AGIEPOST", "Exact", "a.agie", "LINK", "a.agie", "", "", "c.agie");
-        await using var other = new CommandTalk();
+        await using var other = new CommandTestSession();
         File.Copy(talk.PathOf("c.agie"), other.PathOf("c.agie"));
         File.Copy(talk.PathOf("c.agie.start.json"), other.PathOf("c.agie.start.json"));
-        other.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        other.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing });
 
         Assert.IsNotType<InputResult.Failed>(await other.TypeAsync("VERIFY", "c.agie"));
         await File.AppendAllTextAsync(other.PathOf("c.agie"), "\n");
@@ -79,14 +79,14 @@ public class LinkCommandTests
         await File.WriteAllTextAsync(talk.PathOf("bad.agie"), text);
         var result = await talk.TypeAsync("LINK", "slot.agie", "-2,0", "bad.agie", "50,0");
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(result).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(result).Reason);
         Assert.Contains("bad.agie", talk.Said, StringComparison.Ordinal);
         Assert.Matches("PST0001|VER0001", talk.Said);
     }
 
-    private static async Task<CommandTalk> TalkAsync()
+    private static async Task<CommandTestSession> TalkAsync()
     {
-        var talk = new CommandTalk();
+        var talk = new CommandTestSession();
         await File.WriteAllTextAsync(talk.PathOf("slot.agie"), Slot);
         await File.WriteAllTextAsync(talk.PathOf("hole.agie"), Hole);
         return talk;

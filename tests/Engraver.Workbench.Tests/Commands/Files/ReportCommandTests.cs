@@ -8,8 +8,8 @@ public class ReportCommandTests
     [Fact]
     public async Task The_page_stands_beside_the_drawing_with_the_last_run_and_the_history_knows_it()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("REPORT", ""));
         Assert.Equal(["path", "speed", "sheet", "certificate", "findings", "settings"], Sections(talk.PathOf("part.report.html")));
@@ -17,15 +17,15 @@ public class ReportCommandTests
         await talk.TypeAsync("CNCSIM");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("REPORT", "other.html"));
         Assert.Equal(["path", "speed", "deviation", "sheet", "run", "checks", "certificate", "findings", "settings"], Sections(talk.PathOf("other.html")));
-        Assert.Equal(talk.PathOf("other.html"), Assert.Single(talk.Session.History.Look().Entries).Report);
+        Assert.Equal(talk.PathOf("other.html"), Assert.Single(talk.Session.History.Refresh().Entries).Report);
     }
 
     /// <summary>Uses the settings of the job, not the current ones.</summary>
     [Fact]
     public async Task The_page_of_a_job_in_the_history_is_of_its_own_settings()
     {
-        await using var talk = new CommandTalk();
-        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+        await using var talk = new CommandTestSession();
+        File.Copy(CommandTestSession.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "CNCMAXERR", "0.004", "CNCSIM", "CNCMAXERR", "0.001");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("HISTORY", "rePort", "1"));
         var page = XDocument.Load(talk.PathOf("part.report.html"));

@@ -10,7 +10,7 @@ public class LayerEditTests
     [Fact]
     public async Task A_layer_is_made_and_becomes_current_in_one_step()
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         var steps = talk.Session.Document.UndoNames.Count();
         await talk.TypeAsync("LA", "Make", "Deep cut", "C", "red", "deep cut", "");
 
@@ -24,9 +24,9 @@ public class LayerEditTests
     [Fact]
     public async Task Renaming_follows_the_current_layer_and_the_settings_that_name_it()
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         await talk.TypeAsync("LAYER", "M", "A", "");
-        talk.Session.Document.Take("X", talk.State with { Settings = talk.State.Settings with { SkippedLayers = ["a"] } });
+        talk.Session.Document.Commit("X", talk.State with { Settings = talk.State.Settings with { SkippedLayers = ["a"] } });
         await talk.TypeAsync("LAYER", "R", "a", "B", "");
 
         Assert.Equal(["0", "B"], talk.State.Drawing!.Layers.Select(layer => layer.Name));
@@ -46,13 +46,13 @@ public class LayerEditTests
     [InlineData("F", "A,nowhere,never", "no layer 'nowhere', 'never'", "*")]
     public async Task What_cannot_be_is_told_and_asked_once_more_so_that_nothing_typed_before_is_lost(string option, string name, string told, params string[] then)
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         await talk.TypeAsync("LAYER", "M", "A", "M", "COLD", "S", "A", "F", "COLD", "");
         var before = talk.State;
         await talk.TypeAsync(["LAYER", "OFF", "A", .. option.Split(' ')]);
         var question = talk.Session.Prompt.Text;
 
-        Assert.Contains(told, Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync(name)).Sentence, StringComparison.Ordinal);
+        Assert.Contains(told, Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync(name)).Message, StringComparison.Ordinal);
         Assert.Equal((question, before), (talk.Session.Prompt.Text, talk.State));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. then, ""]));
         Assert.False(talk.State.Drawing!.Layers.Single(layer => layer.Name == "A").On);
@@ -61,7 +61,7 @@ public class LayerEditTests
     [Fact]
     public async Task Where_layer_0_is_the_only_one_nothing_is_renamed_and_nothing_lost()
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         await talk.TypeAsync("LAYER", "C", "red", "0", "R");
         Assert.Contains("cannot be renamed", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
@@ -73,7 +73,7 @@ public class LayerEditTests
     [Fact]
     public async Task A_layer_whose_name_has_a_comma_is_switched_by_its_whole_name()
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().OnLayer(new Layer("1,5 mm", true, false, true)).Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().OnLayer(new Layer("1,5 mm", true, false, true)).Line(0, 0, 10, 0));
         await talk.TypeAsync("LAYER", "OFF", "1,5 mm", "");
         Assert.False(talk.State.Drawing!.Layers.Single(layer => layer.Name == "1,5 mm").On);
     }
@@ -81,11 +81,11 @@ public class LayerEditTests
     [Fact]
     public async Task In_a_script_what_cannot_be_ends_the_script_with_its_place()
     {
-        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await using var talk = ObjectText.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         var script = talk.PathOf("layers.scr");
         await File.WriteAllTextAsync(script, "LAYER\nColor\nmauve\n0\n\nLAYER\nMake\nLATER\n\n");
 
-        var sentence = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", script)).Sentence;
+        var sentence = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", script)).Message;
         Assert.Contains("layers.scr(3)", sentence, StringComparison.Ordinal);
         Assert.Equal(["0"], talk.State.Drawing!.Layers.Select(layer => layer.Name));
     }

@@ -14,9 +14,9 @@ public class SnapOverrideTests
     [InlineData("non", 0)]
     public async Task A_typed_snap_holds_for_one_place(string typed, int bits)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("DIST", "0,0");
-        Assert.IsType<InputResult.Asking>(await talk.TypeAsync(typed));
+        Assert.IsType<InputResult.AwaitingInput>(await talk.TypeAsync(typed));
         Assert.Equal(bits, talk.Session.View.Current.OneTimeSnap);
         await talk.TypeAsync("3,4");
 
@@ -27,18 +27,18 @@ public class SnapOverrideTests
     [Fact]
     public async Task Esc_forgets_it_and_where_no_place_is_asked_for_it_is_an_answer()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("DIST", "end");
         await talk.Session.CancelAsync();
         Assert.Null(talk.Session.View.Current.OneTimeSnap);
-        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCFEED", "end"));
+        Assert.IsType<InputResult.NotAccepted>(await talk.TypeAsync("CNCFEED", "end"));
         Assert.Null(talk.Session.View.Current.OneTimeSnap);
     }
 
     [Fact]
     public async Task Osnap_knows_them_by_name()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("OSNAP", "PER,tan nea,endpoint");
         Assert.Equal(1 + 128 + 256 + 512, talk.Session.View.Current.ObjectSnapModes);
         await talk.TypeAsync("OSNAP", "none");
@@ -49,7 +49,7 @@ public class SnapOverrideTests
     [Fact]
     public async Task Ortho_and_polar_are_never_on_together()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("ORTHO", "ON", "POLAR", "ON", "POLARANG", "22.5");
         Assert.Equal((false, true, 22.5), (talk.Session.View.Current.Ortho, talk.Session.View.Current.Polar, talk.Session.View.Current.PolarAngle));
         await talk.TypeAsync("ORTHOMODE", "1");

@@ -15,7 +15,7 @@ public class SaceCommandTests
     [Fact]
     public async Task SACEPATH_follows_every_contour_and_is_one_step_that_undoes()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "ALL", "");
         var names = All(talk).Select(one => one.Name).ToList();
 
@@ -45,7 +45,7 @@ public class SaceCommandTests
     [Fact]
     public async Task Corners_are_ends_or_rounded_within_the_error()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACECORNERS", "Continuous", "SACEPATH", "H", "A4", "");
         var one = Assert.Single(All(talk));
 
@@ -58,7 +58,7 @@ public class SaceCommandTests
     [Fact]
     public async Task A_prompt_that_is_cancelled_or_answered_with_nothing_usable_changes_nothing()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR");
         await talk.Session.CancelAsync();
         await talk.TypeAsync("SACESETMAXERROR", "0", "-1", "nan");
@@ -71,7 +71,7 @@ public class SaceCommandTests
     [Fact]
     public async Task Error_density_steps_and_height_are_those_of_the_next_trajectories_and_undo()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.004", "SACESETZPLANE", "-0.5", "SACEPATH", "H", "A3", "", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "0.25", "SACEPATH", "H", "A3", "");
         var (fine, equal) = (All(talk)[0], All(talk)[1]);
 
@@ -89,7 +89,7 @@ public class SaceCommandTests
     [InlineData("Out", 7.0)]
     public async Task SACEOFFSET_runs_at_the_removal_radius_on_the_side_of_the_point(string side, double diameter)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEOFFSET", "H", "A3", "", "0.5", side);
         var one = Assert.Single(All(talk));
 
@@ -103,7 +103,7 @@ public class SaceCommandTests
     [InlineData("-3,1", 1.0)] // beyond the end
     public async Task An_open_contour_is_offset_on_the_side_of_the_point(string side, double y)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEOFFSET", "H", "A1", "", "1", side);
 
         Assert.All(Assert.Single(All(talk)).Curve.Lines, place => Assert.Equal(y, place.Y, precision: 9));
@@ -113,7 +113,7 @@ public class SaceCommandTests
     [Fact]
     public async Task SACEUNIFORMOFFSET_comes_nearer_pass_by_pass_and_ends_at_the_removal_radius()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEUNIFORMOFFSET", "H", "A3", "", "0.5", "0.25", "4", "Out");
 
         Assert.Equal(["traj0_offset0-0", "traj1_offset1-0", "traj2_offset2-0", "traj3_offset3-0"], All(talk).Select(one => one.Name));
@@ -128,7 +128,7 @@ public class SaceCommandTests
     [InlineData("0.5", "0.1", "0.7", new[] { 0.5, 0.7 })]
     public async Task SACECONSTANTOFFSETS_goes_away_as_the_plug_in_does(string radius, string step, string largest, double[] distances)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACECONSTANTOFFSETS", "H", "A3", "", radius, step, largest, "Out");
 
         Assert.Equal(distances, All(talk).Select(one => Math.Round((one.Curve.Length / (2.0 * Math.PI)) - 3.0, 9)));
@@ -137,7 +137,7 @@ public class SaceCommandTests
     [Fact]
     public async Task SACEDEEPENGRAVING_repeats_the_curve_down_to_the_final_depth()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETZPLANE", "2", "SACEDEEPENGRAVING", "H", "A3", "", "0.3", "1");
 
         Assert.Equal([2.0, 1.7, 1.4, 1.1, 1.0], All(talk).Select(one => Math.Round(one.Curve.Z, 9)));
@@ -147,7 +147,7 @@ public class SaceCommandTests
     [Fact]
     public async Task SACEHELICALDRILL_bores_down_and_goes_once_round_at_the_bottom()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.3", "");
         var curve = Assert.Single(All(talk)).Curve;
         var heights = Enumerable.Range(1, curve.Points).Select(curve.HeightAt).ToList();
@@ -158,14 +158,14 @@ public class SaceCommandTests
         Assert.Equal((curve.Points - 1) / 5, heights.Count(height => height == -1.0) - 1);
         Assert.InRange(curve.VerifiedBound, 1e-6, 0.001);
         Assert.All(curve.Lines, place => Assert.InRange(place.DistanceTo(new Point2D(20.0, 5.0)), 0.9995, 1.0005));
-        Assert.Contains("is too small", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEHELICALDRILL", "20,5", "0.2", "0.25")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is too small", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEHELICALDRILL", "20,5", "0.2", "0.25")).Message, StringComparison.Ordinal);
     }
 
     /// <summary>"SACEShowTrajectories prints the type name of the list" (sace-xps-agie.md 1.1).</summary>
     [Fact]
     public async Task SACESHOWTRAJECTORIES_lists_names_points_bound_and_ratio()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACESHOWTRAJECTORIES");
         var one = Assert.Single(All(talk));
 
@@ -177,7 +177,7 @@ public class SaceCommandTests
     [Fact]
     public async Task The_last_or_all_are_deleted_and_numbers_go_on()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "", "SACEDELETELASTTRAJECTORY");
         Assert.Equal(["traj0_path"], All(talk).Select(one => one.Name));
         await talk.TypeAsync("SACEPATH", "H", "A1", "");
@@ -191,7 +191,7 @@ public class SaceCommandTests
     [Fact]
     public async Task One_trajectory_is_renamed_raised_made_anew_moved_and_deleted_each_as_a_step()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "");
         await talk.TypeAsync("SACEEDITTRAJECTORY", "traj0_path", "Name", "ring", "SACEEDITTRAJECTORY", "ring", "Z", "-2", "SACEEDITTRAJECTORY", "ring", "Error", "0.01", "SACEEDITTRAJECTORY", "ring", "DOwn");
         var ring = All(talk)[1];
@@ -202,14 +202,14 @@ public class SaceCommandTests
         Assert.Equal(["traj1_path"], All(talk).Select(one => one.Name));
         await talk.TypeAsync("U", "U", "U", "U");
         Assert.Equal(("ring", 0.0), (All(talk)[0].Name, All(talk)[0].Curve.Z));
-        Assert.Contains("Trajectory ring already exists", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "ring")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("is not a valid name", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "../x")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Trajectory ring already exists", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "ring")).Message, StringComparison.Ordinal);
+        Assert.Contains("is not a valid name", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "../x")).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public async Task SACEEXPORTTRAJECTORIES_writes_a_file_for_each_and_asks_before_it_replaces()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "", "SACEEXPORTTRAJECTORIES", "Sace", "out");
         var lines = await File.ReadAllTextAsync(talk.PathOf("out/traj1_path.txt"));
 
@@ -225,10 +225,10 @@ public class SaceCommandTests
     [Fact]
     public async Task Equal_steps_that_do_not_keep_the_error_are_exported_only_when_that_is_asked_for()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "6", "SACEPATH", "H", "A3", "");
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "")).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "")).Reason);
         Assert.Contains("TRJ0008", talk.Said, StringComparison.Ordinal);
         Assert.False(Directory.Exists(talk.PathOf("out")));
         await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "Y");
@@ -240,7 +240,7 @@ public class SaceCommandTests
     [Fact]
     public async Task A_helix_goes_to_controllers_of_splines_with_its_heights_and_to_no_other()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.5", "", "SACEEXPORTTRAJECTORIES", "Xps-spline", "out");
         var rows = await File.ReadAllLinesAsync(talk.PathOf("out/traj0_drill.txt"));
 
@@ -254,7 +254,7 @@ public class SaceCommandTests
     [Fact]
     public async Task SACESIMULATE_tells_how_far_the_machine_was_from_what_the_trajectories_follow()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out");
         var result = await talk.TypeAsync("SACESIMULATE");
         var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
@@ -269,7 +269,7 @@ public class SaceCommandTests
     public async Task In_a_drawing_in_inches_typed_lengths_are_inches_and_trajectories_millimetres()
     {
         await using var talk = Drawn(new DrawingBuilder().Circle(2, 2, 1));
-        talk.Session.Document.Take("OPEN", talk.State with { Drawing = talk.State.Drawing! with { Unit = LengthUnits.FromInsUnits(1)! } });
+        talk.Session.Document.Commit("OPEN", talk.State with { Drawing = talk.State.Drawing! with { Unit = LengthUnits.FromInsUnits(1)! } });
         await talk.TypeAsync("SACEOFFSET", "ALL", "", "0.5", "2,2");
 
         Assert.Equal(25.4 * Math.PI, Assert.Single(All(talk)).Curve.Length, precision: 8);
@@ -284,12 +284,12 @@ public class SaceCommandTests
         Assert.Equal([4.0, 9.0], All(talk).Select(one => Math.Round(one.Curve.Length / (2.0 * Math.PI), 9)).Order());
     }
 
-    private static IReadOnlyList<DocumentTrajectory> All(CommandTalk talk) => talk.State.Sidecar.Trajectories.All;
+    private static IReadOnlyList<DocumentTrajectory> All(CommandTestSession talk) => talk.State.Sidecar.Trajectories.All;
 
-    private static CommandTalk Drawn(DrawingBuilder builder)
+    private static CommandTestSession Drawn(DrawingBuilder builder)
     {
-        var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = builder.Build() });
+        var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = builder.Build() });
         return talk;
     }
 }

@@ -14,7 +14,7 @@ public class TrajectoryEditTests
     [Fact]
     public async Task A_moved_circle_is_followed_again_under_the_same_name_height_and_error()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEEDITTRAJECTORY", "traj0_path", "Name", "ring", "SACEEDITTRAJECTORY", "ring", "Z", "-2", "SACEEDITTRAJECTORY", "ring", "Error", "0.01", "SACEPATH", "H", "A1", "");
         Assert.Empty(Stale(talk));
         await talk.TypeAsync("MOVE", "H", "A3", "", "0,0", "5,1");
@@ -39,8 +39,8 @@ public class TrajectoryEditTests
     [Fact]
     public async Task Offsets_of_several_contours_keep_their_distance_and_side()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(0, 0, 10).Circle(0, 0, 3).Build() });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(0, 0, 10).Circle(0, 0, 3).Build() });
         await talk.TypeAsync("SACEOFFSET", "ALL", "", "1", "6,0", "SCALE", "H", "A1", "", "0,0", "2");
         Assert.Equal(["traj0_offset-0", "traj1_offset-1"], Stale(talk)); // Also that of the hole, which was created with it.
         await talk.TypeAsync("SACEUPDATETRAJECTORIES");
@@ -52,7 +52,7 @@ public class TrajectoryEditTests
     [Fact]
     public async Task Each_run_between_corners_takes_its_own_place_and_what_was_deleted_stays_so()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEDEEPENGRAVING", "H", "A4", "", "0.5", "0.5", "SACEEDITTRAJECTORY", "traj1_deep", "Delete", "ROTATE", "H", "A4", "", "30,0", "90", "SACEUPDATETRAJECTORIES");
 
         Assert.Equal(["traj0_deep", "traj2_deep", "traj3_deep", "traj4_deep", "traj5_deep", "traj6_deep", "traj7_deep"], All(talk).Select(one => one.Name));
@@ -64,8 +64,8 @@ public class TrajectoryEditTests
     [Fact]
     public async Task A_contour_that_has_other_corners_now_gets_as_many_trajectories_as_it_needs()
     {
-        await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 20, 0).Build() });
+        await using var talk = new CommandTestSession();
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 20, 0).Build() });
         await talk.TypeAsync("SACEPATH", "ALL", "", "SACEPATH", "H", "A1", "");
         Assert.Equal(["traj0_path", "traj1_path"], All(talk).Select(one => one.Name)); // Tangent: one trajectory.
         await talk.TypeAsync("ROTATE", "H", "A2", "", "10,0", "90", "SACEUPDATETRAJECTORIES");
@@ -78,7 +78,7 @@ public class TrajectoryEditTests
     [Fact]
     public async Task What_was_erased_is_told_and_its_trajectory_stays()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "", "ERASE", "H", "A3", "");
         Assert.Equal(["traj0_path"], Stale(talk));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEUPDATETRAJECTORIES"));
@@ -93,7 +93,7 @@ public class TrajectoryEditTests
     [InlineData("CNCCONNECT", "sim:", "CNCARM", "T", "Stream")]
     public async Task Before_they_are_written_or_run_it_is_said_which_no_longer_follow_the_drawing(params string[] command)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync(["SACEPATH", "H", "A3", "", "MOVE", "H", "A1", "", "0,0", "0,1", .. command]);
         Assert.DoesNotContain("edited", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync(["MOVE", "H", "A3", "", "0,0", "0,1", .. command, "Y"]);
@@ -105,7 +105,7 @@ public class TrajectoryEditTests
     [Fact]
     public async Task Saved_and_opened_they_still_know_their_objects()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out", "SAVEAS", "new.dxf", "SACEPATH", "H", "A1", "", "QSAVE", "OPEN", "new.dxf");
 
         Assert.Empty(Stale(talk));
@@ -129,7 +129,7 @@ public class TrajectoryEditTests
     [InlineData("corners", "\"round\"")]
     public async Task An_origin_that_contradicts_itself_is_damage(string member, string value)
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEOFFSET", "H", "A3", "", "1", "Out", "SAVEAS", "new.dxf");
         var path = talk.PathOf("new.dxf.engraver.json");
         var json = JsonNode.Parse(await File.ReadAllTextAsync(path))!;
@@ -144,7 +144,7 @@ public class TrajectoryEditTests
     [Fact]
     public async Task Without_an_origin_a_trajectory_is_never_called_stale()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SAVEAS", "new.dxf");
         var path = talk.PathOf("new.dxf.engraver.json");
         var json = JsonNode.Parse(await File.ReadAllTextAsync(path))!;
@@ -157,9 +157,9 @@ public class TrajectoryEditTests
         Assert.Empty(Stale(talk));
     }
 
-    private static IReadOnlyList<DocumentTrajectory> All(CommandTalk talk) => talk.State.Sidecar.Trajectories.All;
+    private static IReadOnlyList<DocumentTrajectory> All(CommandTestSession talk) => talk.State.Sidecar.Trajectories.All;
 
-    private static List<string> Stale(CommandTalk talk)
+    private static List<string> Stale(CommandTestSession talk)
     {
         var edits = new TrajectoryEdits(talk.State.Drawing!);
         return [.. All(talk).Where(edits.IsStale).Select(one => one.Name)];

@@ -18,7 +18,7 @@ public class TrajectoryRunTests
     [Fact]
     public async Task CNCRUN_runs_the_trajectories_instead_of_the_drawing_and_judges_by_what_they_follow()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out", "CNCCONNECT", "sim:");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "Y"));
         var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
@@ -33,7 +33,7 @@ public class TrajectoryRunTests
     [Fact]
     public async Task CNCARM_arms_them_until_they_change_and_START_runs_them()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "", "CNCCONNECT", "sim:", "CNCARM", "T", "Stream", "SELECT", "ALL", "");
         Assert.NotNull(talk.Session.Machine.Arming.Armed);
         await talk.TypeAsync("SACEDELETELASTTRAJECTORY");
@@ -46,7 +46,7 @@ public class TrajectoryRunTests
         Assert.NotNull(talk.Session.Machine.Runs.ShownJob);
         await talk.TypeAsync("SACEDELETEALLTRAJECTORIES");
         Assert.Null(talk.Session.Machine.Runs.ShownJob);
-        Assert.Contains("No trajectories yet", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "T", "Stream")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("No trajectories yet", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "T", "Stream")).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -85,7 +85,7 @@ public class TrajectoryRunTests
     [Fact]
     public async Task A_machine_that_switches_its_tool_says_that_it_has_no_heights()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEDEEPENGRAVING", "H", "A3", "", "0.5", "1", "SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.4", "");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("SACESIMULATE"));
@@ -97,7 +97,7 @@ public class TrajectoryRunTests
     [Fact]
     public async Task Chords_in_space_keep_the_error_that_they_are_given()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.4", "");
         var curve = talk.State.Sidecar.Trajectories.All[0].Curve;
         foreach (var error in new[] { 1e-2, 1e-4 })
@@ -112,10 +112,10 @@ public class TrajectoryRunTests
         }
     }
 
-    private static CommandTalk Mill()
+    private static CommandTestSession Mill()
     {
-        var talk = CommandTalk.WithDrawing();
-        talk.Session.Document.Take("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfileSource.Load(Path.Combine(RepositoryFolder.Samples, "machine-mill.json")) } });
+        var talk = CommandTestSession.WithDrawing();
+        talk.Session.Document.Commit("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfileSource.Load(Path.Combine(RepositoryFolder.Samples, "machine-mill.json")) } });
         return talk;
     }
 }

@@ -7,7 +7,7 @@ public class PlaybackCommandTests
     [Fact]
     public async Task Playback_goes_to_a_row_a_stroke_a_handle_a_line_and_a_time()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         var playback = talk.Session.Playback;
         await talk.TypeAsync("PLAYBACK", "Row", "3");
         Assert.Equal(2, playback.Moment!.Value.Row);
@@ -27,7 +27,7 @@ public class PlaybackCommandTests
     [Fact]
     public async Task Play_pause_and_speed_work_by_word_and_an_edit_begins_anew()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("PLAYBACK", "S", "0.001", "PLAYBACK", "PL");
         Assert.True(talk.Session.Playback.IsPlaying);
         await talk.TypeAsync("PLAYBACK", "");
@@ -42,10 +42,10 @@ public class PlaybackCommandTests
     [Fact]
     public async Task With_nothing_to_cut_there_is_nothing_to_play()
     {
-        await using var talk = CommandTalk.WithDrawing();
+        await using var talk = CommandTestSession.WithDrawing();
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LA", "OFF", "*", "", "PLAYBACK"));
 
-        Assert.Equal((CommandFailure.Drawing, "The drawing has no curves to cut."), (failed.Why, failed.Sentence));
+        Assert.Equal((CommandFailure.Drawing, "The drawing has no curves to cut."), (failed.Reason, failed.Message));
     }
 }

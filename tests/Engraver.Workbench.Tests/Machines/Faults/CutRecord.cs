@@ -40,7 +40,7 @@ internal static class CutRecord
     }
 
     /// <summary>Longest standstill with the tool in the work, samples.</summary>
-    public static long LongestBurn(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
+    public static long LongestDwell(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
     {
         var longest = 0L;
         for (var i = 1; i < samples.Count; i++)

@@ -25,29 +25,29 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
     public void Report(JobProgress value)
     {
         if (one.Activity == HostActivity.Stop && value.SegmentsExecuted >= one.At) stop.Cancel();
-        if (one.Activity == HostActivity.LeadIn && value.ToolOn) machine.Happen(one.Fault);
+        if (one.Activity == HostActivity.LeadIn && value.ToolOn) machine.Inject(one.Fault);
         if (one.IsHeld) Hold(value);
     }
 
     private void Hold(in JobProgress value)
     {
-        if (value.Phase == JobPhase.Holding && one.Activity == HostActivity.Holding) machine.Happen(one.Fault);
-        if (value.Phase == JobPhase.Held) Stand(value.Place, value.Seconds);
+        if (value.Phase == JobPhase.Holding && one.Activity == HostActivity.Holding) machine.Inject(one.Fault);
+        if (value.Phase == JobPhase.Held) NoteStandstill(value.Place, value.Seconds);
         if (_asked || value.SegmentsExecuted < one.At || value.Phase != JobPhase.Running) return;
         _asked = true;
         Control.Hold();
     }
 
-    private void Stand(CountsPoint at, double seconds)
+    private void NoteStandstill(CountsPoint at, double seconds)
     {
         if (double.IsNaN(_heldSince))
         {
             _heldSince = seconds;
-            if (one.Activity == HostActivity.Held) machine.Happen(one.Fault);
+            if (one.Activity == HostActivity.Held) machine.Inject(one.Fault);
         }
 
         if (seconds - _heldSince < HeldSeconds || !Control.IsHoldWanted || (one.Activity is HostActivity.Away or HostActivity.ComingBack && !IsMoved(at, seconds))) return;
-        if (one.Activity is HostActivity.Resuming or HostActivity.ComingBack) machine.Happen(one.Fault);
+        if (one.Activity is HostActivity.Resuming or HostActivity.ComingBack) machine.Inject(one.Fault);
         if (one.IsStoppedAway) stop.Cancel();
         else Control.Resume();
     }
@@ -60,8 +60,8 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
         {
             _heldAt = at;
             _key = one.Seed % 2 == 0 ? new JogControl(new JogVelocity(-600.0, 300.0)) : null;
-            if (one.Activity == HostActivity.Away) machine.Happen(one.Fault);
-            _moved = Control.MoveAsync(_key is { } key ? HeldMove.While(key) : HeldMove.By(one.Step ?? new CountsPoint(-4_000, 2_500, machine.HasHeight ? 800 : 0)));
+            if (one.Activity == HostActivity.Away) machine.Inject(one.Fault);
+            _moved = Control.MoveAsync(_key is { } key ? MoveInHold.While(key) : MoveInHold.By(one.Step ?? new CountsPoint(-4_000, 2_500, machine.HasHeight ? 800 : 0)));
         }
 
         if (!_moved.IsCompleted && (Math.Abs(at.X - _heldAt.X) >= FarEnough || seconds - _heldSince > HeldSeconds + LongEnough)) _key?.Release();

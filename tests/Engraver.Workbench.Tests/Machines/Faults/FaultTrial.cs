@@ -53,7 +53,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         await using var trial = new FaultTrial(new FaultCase(0, machine, activity, mode, new ScheduledFault { Kind = FaultKind.Reset, AtSeconds = 1e6 }, 4), limit);
         await trial.PrepareAsync();
         var (seconds, bytes, segments) = (trial._machine.Seconds, trial._machine.Controller.BytesArrived, trial._machine.Controller.Status.SegmentsExecuted);
-        var run = await trial.ActAsync();
+        var run = await trial.RunActivityAsync();
         Assert.True(run.IsComplete, run.ToString());
         return new ActivityExtent(trial._machine.Seconds - seconds, trial._machine.Controller.BytesArrived - bytes, (int)(trial._machine.Controller.Status.SegmentsExecuted - segments));
     }
@@ -62,8 +62,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     public async Task<(string Outcome, IReadOnlyList<string> Faults)> TryAsync()
     {
         await PrepareAsync();
-        if (!one.IsOfPart) _machine.Happen(one.Fault);
-        var run = await ActAsync();
+        if (!one.IsOfPart) _machine.Inject(one.Fault);
+        var run = await RunActivityAsync();
         Judge(run);
         var state = await StateAsync(run);
         await NextAsync(run);
@@ -72,7 +72,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     public ValueTask DisposeAsync() => _machine.DisposeAsync();
 
-    private void Claim(bool holds, string what, FaultyRun run)
+    private void Check(bool holds, string what, FaultyRun run)
     {
         if (!holds) _faults.Add($"{what}: {run}");
     }
@@ -81,7 +81,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     private async Task PrepareAsync()
     {
         await _machine.BurnAsync(limit.Token);
-        Assert.NotNull(await _machine.LookAsync(limit.Token));
+        Assert.NotNull(await _machine.PollAsync(limit.Token));
         if (one.Activity == HostActivity.Home)
         {
             var homed = await _machine.HomeAsync(limit.Token);
@@ -101,11 +101,11 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
             var stopped = await _machine.RunAsync(one.Mode, stop => new FaultOperator(_machine, one with { Activity = HostActivity.Stop }, stop), limit.Token);
             Assert.True(stopped.Result is { Outcome: JobOutcome.Stopped or JobOutcome.Complete }, stopped.ToString());
             _journal = stopped.Journal;
-            Assert.NotNull(await _machine.LookAsync(limit.Token)); // which tells its end
+            Assert.NotNull(await _machine.PollAsync(limit.Token)); // which tells its end
         }
     }
 
-    private Task<FaultyRun> ActAsync() => one.Activity switch
+    private Task<FaultyRun> RunActivityAsync() => one.Activity switch
     {
         HostActivity.GoTo => _machine.GoToAsync(s_goal, limit.Token),
         HostActivity.Jog => _machine.JogAsync(new JogVelocity(900, -300), far: 15_000, limit.Token),
@@ -125,18 +125,18 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private void Judge(FaultyRun run)
     {
-        Claim(!limit.IsCancellationRequested, "it hung", run);
-        Claim(run.Sentence.Length > 0 && !run.Sentence.Contains("Exception", StringComparison.Ordinal), "it is not told in a sentence", run);
-        Claim(!one.IsRun || !run.IsComplete || MayLoseSteps || run.IsCutRight, "complete and wrong", run);
-        Claim(!one.IsRun || !run.IsComplete || MayLoseSteps || run.Zero == _zero, "complete and at another place", run);
-        Claim(!one.IsRun || run.Result?.FrameOrigin is null || run.OpenLoop == (one.Machine == MachineKind.Stepper ? "XY" : ""), $"it takes the positions of {run.OpenLoop} for those that were commanded", run);
-        Claim(one.Activity != HostActivity.GoTo || !run.IsComplete || MayLoseSteps || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
-        Claim(run.Result is null || _resumes > 0 || run.Result.SegmentsExecuted <= _machine.Controller.Status.SegmentsExecuted, "it counts segments that were not executed", run);
-        Claim(run.CutCounts <= MostCounts, "something was cut twice", run);
-        Claim(run.LongestBurn <= MostBurn, "the tool was on at a standstill", run);
-        Claim(!one.IsRun || IsOfMotion || run.Record.MaxDeviationMm is not > FaultyMachine.MostBesideMm, "it cut beside the drawing", run);
+        Check(!limit.IsCancellationRequested, "it hung", run);
+        Check(run.Sentence.Length > 0 && !run.Sentence.Contains("Exception", StringComparison.Ordinal), "it is not told in a sentence", run);
+        Check(!one.IsRun || !run.IsComplete || MayLoseSteps || run.IsCutRight, "complete and wrong", run);
+        Check(!one.IsRun || !run.IsComplete || MayLoseSteps || run.Zero == _zero, "complete and at another place", run);
+        Check(!one.IsRun || run.Result?.FrameOrigin is null || run.OpenLoop == (one.Machine == MachineKind.Stepper ? "XY" : ""), $"it takes the positions of {run.OpenLoop} for those that were commanded", run);
+        Check(one.Activity != HostActivity.GoTo || !run.IsComplete || MayLoseSteps || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
+        Check(run.Result is null || _resumes > 0 || run.Result.SegmentsExecuted <= _machine.Controller.Status.SegmentsExecuted, "it counts segments that were not executed", run);
+        Check(run.CutCounts <= MostCounts, "something was cut twice", run);
+        Check(run.LongestBurn <= MostBurn, "the tool was on at a standstill", run);
+        Check(!one.IsRun || IsOfMotion || run.Record.MaxDeviationMm is not > FaultyMachine.MostBesideMm, "it cut beside the drawing", run);
         var rest = _machine.Rest();
-        Claim(!rest.IsMoving && (rest.Outputs & 5) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
+        Check(!rest.IsMoving && (rest.Outputs & 5) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
     }
 
     /// <summary>True for a fault of the motion, not of the communication.</summary>
@@ -145,20 +145,20 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Compares the reported state of the machine at rest with the fault.</summary>
     private async Task<string> StateAsync(FaultyRun run)
     {
-        var told = FaultStory.WhyNot(one, run);
-        Claim(told.Length == 0, told, run);
-        Claim(!one.IsRun || run.Result?.FrameOrigin is null || _machine.View.Meanwhile.All(state => state.IsJob()), $"while it ran it was {string.Join(", ", _machine.View.Meanwhile)}", run);
-        var status = await _machine.LookAsync(limit.Token) ?? await _machine.LookAsync(limit.Token); // The rest of the fault may affect the first poll.
+        var told = ExpectedReport.Mismatch(one, run);
+        Check(told.Length == 0, told, run);
+        Check(!one.IsRun || run.Result?.FrameOrigin is null || _machine.View.Meanwhile.All(state => state.IsJob()), $"while it ran it was {string.Join(", ", _machine.View.Meanwhile)}", run);
+        var status = await _machine.PollAsync(limit.Token) ?? await _machine.PollAsync(limit.Token); // The rest of the fault may affect the first poll.
         if (status is null) return "unknown";
         var truth = await _machine.AskTruthAsync(limit.Token);
-        var wanted = FaultStory.StateOf(one, run, truth, status);
-        Claim(status.State == wanted.State && wanted.Words.All(word => status.Reason.Contains(word, StringComparison.Ordinal)), $"the state is {status.State} '{status.Reason}' and not {wanted.State} '{string.Join(' ', wanted.Words)}'", run);
+        var wanted = ExpectedReport.StateOf(one, run, truth, status);
+        Check(status.State == wanted.State && wanted.Words.All(word => status.Reason.Contains(word, StringComparison.Ordinal)), $"the state is {status.State} '{status.Reason}' and not {wanted.State} '{string.Join(' ', wanted.Words)}'", run);
 
         // A lost link is one event, and so is each active cause: the abort input, a switch, an axis that was switched off.
         var events = (run.Result is { Outcome: JobOutcome.LinkLost } ? 1 : 0) + (truth.Abort ? 1 : 0) + (truth.Limits.Length > 0 ? 1 : 0) + (truth.OffByError.Length > 0 ? 1 : 0);
-        Claim(_machine.View.Alarms.Count <= Math.Max(1, events), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
-        Claim(run.IsComplete || _machine.View.Alarms.Count > 0 || run.Result is null or { FrameOrigin: null }, "it ended before its end, and no alarm tells it", run);
-        Claim(!_machine.HasHeight || IsToolSafe(run, truth), $"the tool stands at {_machine.ToolHeight}, the work at {_machine.TopOfWork}", run);
+        Check(_machine.View.Alarms.Count <= Math.Max(1, events), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
+        Check(run.IsComplete || _machine.View.Alarms.Count > 0 || run.Result is null or { FrameOrigin: null }, "it ended before its end, and no alarm tells it", run);
+        Check(!_machine.HasHeight || IsToolSafe(run, truth), $"the tool stands at {_machine.ToolHeight}, the work at {_machine.TopOfWork}", run);
         return status.State.ToString();
     }
 
@@ -181,27 +181,27 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         var next = await UntilHeardAsync(isResumed);
         if (IsStanding)
         {
-            Claim(!next.IsComplete || MayLoseSteps || IsRight(next), "the next run is complete and wrong", next);
+            Check(!next.IsComplete || MayLoseSteps || IsRight(next), "the next run is complete and wrong", next);
             _machine.Free(one.Fault);
             if (!next.IsComplete) next = await AgainAsync(next, isResumed);
         }
 
-        Claim(next.Refusal is not null || MayLoseSteps || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
-        Claim(run.Result is not { PositionDoubt.Length: > 0 } || one.Activity == HostActivity.Home || !next.IsComplete, "the next run goes by a position that is in doubt", next);
-        if (isResumed) Claim(next.CutCounts <= MostCounts, "the next run has cut something twice", next);
+        Check(next.Refusal is not null || MayLoseSteps || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
+        Check(run.Result is not { PositionDoubt.Length: > 0 } || one.Activity == HostActivity.Home || !next.IsComplete, "the next run goes by a position that is in doubt", next);
+        if (isResumed) Check(next.CutCounts <= MostCounts, "the next run has cut something twice", next);
         if (!IsRight(next)) await RemedyAsync(next, isResumed);
-        Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
+        Check((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
     }
 
     /// <summary>Only the machine position is unknown: with the motors on and the origin set again, or after homing, the part or its rest is cut.</summary>
     private async Task RemedyAsync(FaultyRun refused, bool isResumed)
     {
         var unpowered = await _machine.SwitchMotorsOnAsync(limit.Token);
-        Claim(unpowered.Length == 0, "the motors cannot be switched on: " + unpowered, refused);
+        Check(unpowered.Length == 0, "the motors cannot be switched on: " + unpowered, refused);
         if (one.Activity != HostActivity.Home) await _machine.SetOriginAnewAsync(limit.Token);
         var next = await AgainAsync(refused, isResumed);
-        Claim(IsRight(next) || (MayLoseSteps && isResumed), "with the operator's remedy it is not right", next);
-        if (isResumed) Claim(next.CutCounts <= MostCounts, "with the operator's remedy it has cut something twice", next);
+        Check(IsRight(next) || (MayLoseSteps && isResumed), "with the operator's remedy it is not right", next);
+        if (isResumed) Check(next.CutCounts <= MostCounts, "with the operator's remedy it has cut something twice", next);
     }
 
     private bool IsRight(FaultyRun run) => run.IsComplete && run.IsCutRight && IsItsPlace(run.Zero);

@@ -44,12 +44,12 @@ internal sealed class FaultyMachine : IAsyncDisposable
     {
         _kind = kind;
         _profile = profile;
-        View = new OperatorsView(_profile);
-        _controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, SerialNumber = 77, Switches = SimulatedMachine.Switches(_profile) });
+        View = new OperatorView(_profile);
+        _controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, SerialNumber = 77, Switches = SimulatedSwitches.Switches(_profile) });
     }
 
     /// <summary>The operator's view.</summary>
-    public OperatorsView View { get; }
+    public OperatorView View { get; }
 
     /// <summary>True with a tool axis.</summary>
     public bool HasHeight => _profile.Height is not null;
@@ -122,17 +122,17 @@ internal sealed class FaultyMachine : IAsyncDisposable
 
     /// <summary>Polls the machine: the status according to the controller.</summary>
     /// <returns>Null if it does not answer.</returns>
-    public async Task<MachineStatus?> LookAsync(CancellationToken limit)
+    public async Task<MachineStatus?> PollAsync(CancellationToken limit)
     {
         await using var connection = Connection();
         try
         {
-            using var clock = connection.TakeClock();
-            await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-            var place = await machine.LocateAsync(_profile.Axes, limit);
-            using var hold = Memories.Take(Address, machine.Identity, place, "a test");
+            using var clock = connection.CreateClock();
+            await using var machine = await clock.HandshakeAsync(connection, trace: null, limit);
+            var place = await machine.ReadPositionAsync(_profile.Axes, limit);
+            using var hold = Memories.Acquire(Address, machine.Identity, place, "a test");
             View.Connected(Address, machine.Identity);
-            View.Sees(await machine.LookAsync(_profile.Axes, limit), hold, place);
+            View.Poll(await machine.ReadStatusAsync(_profile.Axes, limit), hold, place);
             return View.Status;
         }
         catch (ControllerException)
@@ -163,9 +163,9 @@ internal sealed class FaultyMachine : IAsyncDisposable
     public async Task<string> SwitchMotorsOnAsync(CancellationToken limit)
     {
         await using var connection = Connection();
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-        return (await machine.SetMotorsAsync(_profile.Axes, on: true, limit))?.Sentence ?? "";
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, limit);
+        return (await machine.SetMotorsAsync(_profile.Axes, on: true, limit))?.Message ?? "";
     }
 
     /// <summary>Sets the origin again at the position of the work, regardless of the controller's current zero.</summary>
@@ -176,7 +176,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 
     /// <summary>Schedules the fault relative to now, once.</summary>
-    public void Happen(ScheduledFault fault)
+    public void Inject(ScheduledFault fault)
     {
         if (_happened) return;
         _happened = true;
@@ -198,15 +198,15 @@ internal sealed class FaultyMachine : IAsyncDisposable
         {
             JournalPath = Journal(),
             Memories = Memories,
-            Holder = "a test",
+            LeaseOwner = "a test",
             Control = watcher?.Control,
             Resume = resumed is null ? null : new ResumeRequest { Journal = resumed, LeadInMm = LeadIn, AtOrigin = IsSetAnew },
         };
-        View.Begins(move: null);
+        View.Start(move: null);
         try
         {
-            var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new Told(View, isJob: true, watcher), stop.Token);
-            View.Ends(report.Result, isJob: true);
+            var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new ProgressTap(View, isJob: true, watcher), stop.Token);
+            View.End(report.Result, isJob: true);
             var cut = CutRecord.Placed(_controller.Record.Snapshot(), from, isFollowed: !_profile.HasHoming);
             var frame = _profile.HasHoming ? report.Result.FrameOrigin : default(CountsPoint);
             return new FaultyRun(report.Result, (report.Placement?.Refusal ?? report.ResumeRefusal)?.Id, Judged(job, cut, frame), CutRecord.Length(cut, IsAtWork(frame)))
@@ -214,13 +214,13 @@ internal sealed class FaultyMachine : IAsyncDisposable
                 Tolerance = RunJudge.Tolerances(job).Deviation,
                 Journal = options.JournalPath,
                 OpenLoop = string.Concat(report.OpenLoop),
-                LongestBurn = CutRecord.LongestBurn(cut, IsAtWork(frame)),
+                LongestBurn = CutRecord.LongestDwell(cut, IsAtWork(frame)),
                 Zero = report.Result.FrameOrigin is { } taken ? new CountsPoint(_controller.PlaceOf(0, (int)taken.X), _controller.PlaceOf(1, (int)taken.Y)) : null,
             };
         }
         catch (ControllerException unconnected)
         {
-            View.Ends(result: null, isJob: true);
+            View.End(result: null, isJob: true);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
@@ -233,31 +233,31 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 
     /// <summary>Moves manually to a position.</summary>
-    public Task<FaultyRun> GoToAsync(CountsPoint goal, CancellationToken limit) => MoveAsync(MachineMove.GoTo(goal, _profile, Journal(), new Told(View, isJob: false)), limit);
+    public Task<FaultyRun> GoToAsync(CountsPoint goal, CancellationToken limit) => MoveAsync(MachineMove.GoTo(goal, _profile, Journal(), new ProgressTap(View, isJob: false)), limit);
 
     /// <summary>Jogs until the machine has moved a distance.</summary>
     /// <param name="far">Counts of the first axis.</param>
     public Task<FaultyRun> JogAsync(JogVelocity velocity, int far, CancellationToken limit)
     {
         var control = new JogControl(velocity);
-        return MoveAsync(MachineMove.Jog(control, Journal(), new Told(View, isJob: false, new ReleaseAt(far, control))), limit);
+        return MoveAsync(MachineMove.Jog(control, Journal(), new ProgressTap(View, isJob: false, new ReleaseAt(far, control))), limit);
     }
 
     /// <summary>Homes the machine.</summary>
     public async Task<FaultyRun> HomeAsync(CancellationToken limit)
     {
         await using var connection = Connection();
-        View.Begins("homing");
+        View.Start("homing");
         try
         {
             using var hold = await TakeAsync(connection, limit);
-            var homed = await MachineHoming.RunAsync(connection, hold, _profile, default, Journal(), new Told(View, isJob: false), TimeProvider.System, limit);
-            View.Ends(homed.Result, isJob: false);
+            var homed = await MachineHoming.RunAsync(connection, hold, _profile, default, Journal(), new ProgressTap(View, isJob: false), TimeProvider.System, limit);
+            View.End(homed.Result, isJob: false);
             return new FaultyRun(homed.Result, null, RunJudgement.Unknown, 0.0);
         }
         catch (ControllerException unconnected)
         {
-            View.Ends(result: null, isJob: false);
+            View.End(result: null, isJob: false);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
@@ -267,8 +267,8 @@ internal sealed class FaultyMachine : IAsyncDisposable
     {
         await using var connection = Connection();
         using var hold = await TakeAsync(connection, limit);
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, limit);
         await JobPlacement.SetOriginAsync(machine, _profile, hold, (memory, _) => memory.WithOrigin("G54", x, y, HasHeight ? TopOfWork - _controller.PlaceOf(2, 0) : null), TimeProvider.System, limit);
     }
 
@@ -285,29 +285,29 @@ internal sealed class FaultyMachine : IAsyncDisposable
     private async Task<FaultyRun> MoveAsync(MachineMove move, CancellationToken limit)
     {
         await using var connection = Connection();
-        View.Begins(move.Name);
+        View.Start(move.Name);
         try
         {
             using var hold = await TakeAsync(connection, limit);
             var result = await move.RunAsync(connection, hold, _profile, default, limit);
-            View.Ends(result, isJob: false);
+            View.End(result, isJob: false);
             return new FaultyRun(result, null, RunJudgement.Unknown, 0.0);
         }
         catch (ControllerException unconnected)
         {
-            View.Ends(result: null, isJob: false);
+            View.End(result: null, isJob: false);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
 
-    private async Task<MachineHold> TakeAsync(MachineConnection connection, CancellationToken limit)
+    private async Task<MachineLease> TakeAsync(MachineConnection connection, CancellationToken limit)
     {
-        using var clock = connection.TakeClock();
-        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-        return Memories.Take(Address, machine.Identity, await machine.LocateAsync(_profile.Axes, limit), "a test");
+        using var clock = connection.CreateClock();
+        await using var machine = await clock.HandshakeAsync(connection, trace: null, limit);
+        return Memories.Acquire(Address, machine.Identity, await machine.ReadPositionAsync(_profile.Axes, limit), "a test");
     }
 
-    private MachineConnection Connection() => MachineConnection.Through(
+    private MachineConnection Connection() => MachineConnection.FromLink(
         Address, _ => Task.FromResult<IControllerLink>(new StreamLink(_controller.OpenConnection(), Address)), () => MachineClock.FromSimulator(_controller.JoinClock()));
 
     private string Journal() => Path.Combine(_folder.FullName, $"run{_journals++}.jsonl");
@@ -338,11 +338,11 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 
     /// <summary>Forwards progress synchronously to the operator's view first.</summary>
-    private sealed class Told(OperatorsView view, bool isJob, IProgress<JobProgress>? next = null) : IProgress<JobProgress>
+    private sealed class ProgressTap(OperatorView view, bool isJob, IProgress<JobProgress>? next = null) : IProgress<JobProgress>
     {
         public void Report(JobProgress value)
         {
-            view.Tells(value, isJob);
+            view.Progress(value, isJob);
             next?.Report(value);
         }
     }
@@ -364,7 +364,7 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 {
     public double Tolerance { get; init; }
 
-    public string Sentence { get; private init; } = Result?.Sentence ?? "";
+    public string Sentence { get; private init; } = Result?.Message ?? "";
 
     /// <summary>Axes with commanded positions only, according to the report of the run.</summary>
     public string OpenLoop { get; init; } = "";

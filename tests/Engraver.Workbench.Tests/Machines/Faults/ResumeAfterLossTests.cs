@@ -60,7 +60,7 @@ public sealed class ResumeAfterLossTests : IDisposable
         await machine.SetOriginAsync(0, 0, _limit.Token);
         var since = machine.Rows;
         var stopped = await StopAsync(machine, mode);
-        machine.Happen(new ScheduledFault { Kind = FaultKind.PowerCycle, AtSeconds = 0.0 });
+        machine.Inject(new ScheduledFault { Kind = FaultKind.PowerCycle, AtSeconds = 0.0 });
 
         var refused = await machine.RunAsync(mode, watched: null, _limit.Token, since, stopped.Journal);
         await machine.SetOriginAnewAsync(_limit.Token);

@@ -53,7 +53,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
         var there = await CutAsync(JobMode.Stream, options => options with { Finish = FinishPlace.Stay });
         Assert.Equal((35000L, 5000L), Position);
-        var given = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.Given(new Core.Geometry.Point2D(1, 2)) });
+        var given = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.MachinePoint(new Core.Geometry.Point2D(1, 2)) });
         Assert.Equal((1000L, 2000L), Position);
 
         Assert.Equal(moved, there);
@@ -115,7 +115,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         {
             await machine.Connection.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
             await machine.Hand.SetMotorsAsync(on: true, _limit.Token); // looks at once, as the watch does ten times a second
-            Assert.Equal(new CountsPoint(7000, 0), machine.Connection.Lease!.Memory.Rest);
+            Assert.Equal(new CountsPoint(7000, 0), machine.Connection.Lease!.Memory.RestPosition);
         });
         await ReplaceAsync(Number);
 
@@ -143,7 +143,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         {
             foreach (var goal in new[] { 500, 0 }) await machine.Hand.GoToAsync(new CountsPoint(goal, 0), Path.Combine(_folder.FullName, $"goto{goal}.jsonl"), feed: null, _limit.Token);
         });
-        if (between is "here" or "burned") await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPlace() });
+        if (between is "here" or "burned") await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPosition() });
 
         Assert.Equal((0L, 0L), Position);
         Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
@@ -196,7 +196,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         foreach (var file in Directory.GetFiles(_folder.FullName, "*.json")) File.Delete(file);
 
         Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
-        var here = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPlace() });
+        var here = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPosition() });
 
         Assert.Contains((9000L, 5000L), here);
         Assert.Equal((9000L, 0L), Position);
@@ -211,7 +211,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
             await first.Connection.ConnectAsync(await AddressAsync(), _limit.Token);
             var taken = await RunAsync(JobMode.Stream);
             Assert.Equal((JobOutcome.Refused, 0), (taken.Result.Outcome, taken.Result.SegmentsSent));
-            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Result.Sentence, StringComparison.Ordinal);
+            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Result.Message, StringComparison.Ordinal);
         }
 
         Assert.Equal(JobOutcome.Complete, (await RunAsync(JobMode.Stream)).Result.Outcome);
@@ -228,7 +228,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         var torn = await RunAsync(JobMode.Stream);
 
         Assert.Equal(JobOutcome.Refused, torn.Result.Outcome);
-        Assert.Contains(file, torn.Result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(file, torn.Result.Message, StringComparison.Ordinal);
         Assert.Equal(rows, _controller.Record.Snapshot().Count);
         Assert.Equal("{ \"active\": \"G54\", \"origins\"", await File.ReadAllTextAsync(file));
     }
@@ -273,7 +273,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
     {
         var settings = new DrawingSettings { Machine = profile ?? MachineProfile.Default };
         var job = JobPreparation.Prepare(Drawing(), settings, mode.Strategy().Style);
-        var options = new MachineRunOptions(await AddressAsync(), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, $"run{++_runs}.jsonl"), Memories = new MachineMemories(_folder.FullName), Holder = "a test" };
+        var options = new MachineRunOptions(await AddressAsync(), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, $"run{++_runs}.jsonl"), Memories = new MachineMemories(_folder.FullName), LeaseOwner = "a test" };
         return await MachineRun.RunAsync(job, job.Motion.Program!, with?.Invoke(options) ?? options, _clock, progress, stop).WaitAsync(_limit.Token);
     }
 
@@ -282,7 +282,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
     {
         var rows = _controller.Record.Snapshot().Count;
         var report = await RunAsync(mode, with, profile);
-        Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
+        Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Message);
         return [.. _controller.Record.Snapshot().Skip(rows).Where(sample => (sample.Outputs & 1) != 0).Select(sample => ((long)sample.A, (long)sample.B)).Distinct()];
     }
 

@@ -26,7 +26,7 @@ public sealed class MotorJudgeTests
         Assert.Equal(behind, judgement.FollowingMm!.Value, 3);
         var judged = RunVerdict.Judge(job, job.Motion.Program!, JobResult.NotStarted(1, "Done.") with { Outcome = JobOutcome.Complete }, judgement with { MissingLengthMm = 0.0 });
         Assert.Equal(outcome, judged.Outcome);
-        if (outcome == JobOutcome.Deviated) Assert.Matches(@"^Maximum deviation of the motors from the drawing 2\.8 mm, allowed [0-9.]+ mm\. Position: 10,", judged.Sentence);
+        if (outcome == JobOutcome.Deviated) Assert.Matches(@"^Maximum deviation of the motors from the drawing 2\.8 mm, allowed [0-9.]+ mm\. Position: 10,", judged.Message);
         Assert.Equal(1.9035, RunVerdict.Tolerance(job, job.Motion.Program!, judgement), 4);
     }
 

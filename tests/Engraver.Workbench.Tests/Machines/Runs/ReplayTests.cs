@@ -41,7 +41,7 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal((JobOutcome.Complete, 1), (report.Result.Outcome, report.Result.Holds));
         Assert.Equal(record, Samples(replay));
         Assert.True(replay.CompareWith(new StringReader(record)).IsSame);
-        Assert.Equal((true, true, 0.0), (replay.Agrees, replay.Conversation.IsWhole, replay.LateSeconds));
+        Assert.Equal((true, true, 0.0), (replay.EndsAsJournalled, replay.Conversation.IsWhole, replay.LateSeconds));
     }
 
     [Theory]
@@ -63,7 +63,7 @@ public sealed class ReplayTests : IDisposable
 
         Assert.Equal(JobOutcome.Stopped, report.Result.Outcome);
         Assert.Equal(record, Samples(replay));
-        Assert.Equal((report.Result.FinalPosition!.Value.X, report.Result.FinalPosition.Value.Y, true), (replay.FinalPosition!.Value.X, replay.FinalPosition.Value.Y, replay.Agrees));
+        Assert.Equal((report.Result.FinalPosition!.Value.X, report.Result.FinalPosition.Value.Y, true), (replay.FinalPosition!.Value.X, replay.FinalPosition.Value.Y, replay.EndsAsJournalled));
     }
 
     /// <summary>Regression: after a stop from another thread in real time, the replay ended more than a millimetre away. Commands take no time there, and the
@@ -83,7 +83,7 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal(JobOutcome.Stopped, report.Result.Outcome);
         Assert.True(record.Split('\n').Length > 200);
         Assert.Equal(record, Samples(replay));
-        Assert.Equal((true, 0.0), (replay.Agrees, replay.LateSeconds));
+        Assert.Equal((true, 0.0), (replay.EndsAsJournalled, replay.LateSeconds));
     }
 
     /// <summary>An active switch is an event of the machine and not part of the conversation.</summary>
@@ -117,15 +117,15 @@ public sealed class ReplayTests : IDisposable
     {
         var (_, record) = await RunAsync(JobMode.Stream, new JobControl(), _ => { });
         string[] lines;
-        using (var kept = CompressedText.Open(KeptConversation.PathOf(Journal))) lines = (await kept.ReadToEndAsync()).TrimEnd('\n').Split('\n');
+        using (var kept = CompressedText.Open(ConversationFile.PathOf(Journal))) lines = (await kept.ReadToEndAsync()).TrimEnd('\n').Split('\n');
         var last = Array.FindIndex(lines, line => line[0] != '#' && long.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture) > 6_000_000);
-        await File.WriteAllTextAsync(KeptConversation.PathOf(Journal), string.Join('\n', lines.Take(last)) + "\n6000000 0 > torn");
+        await File.WriteAllTextAsync(ConversationFile.PathOf(Journal), string.Join('\n', lines.Take(last)) + "\n6000000 0 > torn");
         File.WriteAllLines(Journal, (await File.ReadAllLinesAsync(Journal)).Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal)));
         await using var replay = await ReplayAsync();
         var (there, here) = (record.Split('\n'), Samples(replay).Split('\n'));
 
         Assert.False(replay.Conversation.IsWhole);
-        Assert.Null(replay.Agrees);
+        Assert.Null(replay.EndsAsJournalled);
         Assert.Equal(there.Take(400), here.Take(400));
         Assert.EndsWith(",0", here[^2], StringComparison.Ordinal);
         Assert.InRange(replay.Seconds, 0.6, 3.0);
@@ -138,7 +138,7 @@ public sealed class ReplayTests : IDisposable
         await RunAsync(JobMode.Stream, new JobControl(), _ => { }, connection: connection, settings: new DrawingSettings { Finish = FinishPlace.Stay });
         var first = connection.Simulator!.Record.Count;
         File.Delete(Journal);
-        var (report, record) = await RunAsync(JobMode.Stream, new JobControl(), _ => { }, connection: connection, origin: new OriginRequest.PresentPlace());
+        var (report, record) = await RunAsync(JobMode.Stream, new JobControl(), _ => { }, connection: connection, origin: new OriginRequest.PresentPosition());
         await using var replay = await ReplayAsync();
 
         Assert.Equal(JobOutcome.Complete, report.Result.Outcome);
@@ -152,7 +152,7 @@ public sealed class ReplayTests : IDisposable
     public async Task What_is_lacking_is_said()
     {
         await RunAsync(JobMode.Stream, new JobControl(), _ => { });
-        var wire = KeptConversation.PathOf(Journal);
+        var wire = ConversationFile.PathOf(Journal);
         var kept = await File.ReadAllTextAsync(wire);
         File.Delete(wire);
         var (none, lack) = await IncidentReplay.RunAsync(Journal, wire, CancellationToken.None);
@@ -175,8 +175,8 @@ public sealed class ReplayTests : IDisposable
         await using var own = connection is null ? Simulated() : null;
         var machine = connection ?? own!;
         var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings ?? new DrawingSettings(), mode.Strategy().Style);
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = Journal, Control = control, Finish = job.Settings.Finish, Origin = origin ?? new OriginRequest.Work() };
-        var report = await MachineRun.RunAsync(job, job.Motion.Program!, machine, options, TimeProvider.System, new Heard(heard), stop);
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = Journal, Control = control, Finish = job.Settings.Finish, Origin = origin ?? new OriginRequest.ActiveOrigin() };
+        var report = await MachineRun.RunAsync(job, job.Motion.Program!, machine, options, TimeProvider.System, new ProgressCallback(heard), stop);
         using var record = new StringWriter();
         machine.Simulator!.Record.WriteCsv(record);
         return (report, record.ToString());
@@ -184,7 +184,7 @@ public sealed class ReplayTests : IDisposable
 
     private async Task<IncidentReplay> ReplayAsync()
     {
-        var (replay, lack) = await IncidentReplay.RunAsync(Journal, KeptConversation.PathOf(Journal), CancellationToken.None);
+        var (replay, lack) = await IncidentReplay.RunAsync(Journal, ConversationFile.PathOf(Journal), CancellationToken.None);
         Assert.Null(lack);
         return replay!;
     }
@@ -197,7 +197,7 @@ public sealed class ReplayTests : IDisposable
     }
 
     /// <summary>On the thread of the job, so that the action occurs at the same time.</summary>
-    private sealed class Heard(Action<JobProgress> told) : IProgress<JobProgress>
+    private sealed class ProgressCallback(Action<JobProgress> told) : IProgress<JobProgress>
     {
         public void Report(JobProgress value) => told(value);
     }

@@ -81,7 +81,7 @@ public class RunJudgeTests
         var journal = Path.GetTempFileName();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         var isCut = false;
-        await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new CutLink(new StreamLink(controller.OpenConnection(), "memory"), () => isCut)), () => MachineClock.FromSimulator(controller.JoinClock()));
+        await using var connection = MachineConnection.FromLink("memory", _ => Task.FromResult<IControllerLink>(new BreakingLink(new StreamLink(controller.OpenConnection(), "memory"), () => isCut)), () => MachineClock.FromSimulator(controller.JoinClock()));
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 100, 0).Build(), new DrawingSettings(), mode.Strategy().Style);
         var options = new MachineRunOptions(new TcpAddress("memory", 1), mode.Strategy()) { JournalPath = journal };
 
@@ -90,7 +90,7 @@ public class RunJudgeTests
         return (job, report);
     }
 
-    private sealed class CutLink(IControllerLink inner, Func<bool> isCut) : IControllerLink
+    private sealed class BreakingLink(IControllerLink inner, Func<bool> isCut) : IControllerLink
     {
         public string Description => inner.Description;
 
@@ -136,7 +136,7 @@ public class RunJudgeTests
         var drawing = DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Continuous);
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
-        using var clock = connection.TakeClock();
+        using var clock = connection.CreateClock();
         await using var session = await Galil.Sessions.ControllerSession.OpenAsync(connection.OpenLinkAsync, new(), clock.Time, CancellationToken.None);
         var result = await JobRunner.RunAsync(job.Motion.Program!, session, new JobOptions(), progress: null, CancellationToken.None);
         Assert.Equal(JobOutcome.Complete, result.Outcome);

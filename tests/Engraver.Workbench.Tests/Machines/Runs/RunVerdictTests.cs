@@ -22,16 +22,16 @@ public class RunVerdictTests
     [InlineData(0.001, 0.06, "polled", "deviated")]
     [InlineData(null, null, "none", "complete")]
     public void What_the_run_measured_decides(double? deviation, double? missing, string source, string outcome) =>
-        Assert.Equal(outcome, OutcomeText.Word(Judged(new RunJudgement(deviation, missing, source), JobOutcome.Complete).Outcome));
+        Assert.Equal(outcome, OutcomeText.Token(Judged(new RunJudgement(deviation, missing, source), JobOutcome.Complete).Outcome));
 
     [Fact]
     public void Place_and_size_are_said()
     {
         Assert.StartsWith(
             "Maximum deviation of the run from the drawing 396.001 mm, allowed 0.0135 mm. Position: -44,0.5. The values come from the controller.",
-            Judged(new RunJudgement(396.001, 12.0, "polled") { DeviationAt = new Point2D(-44, 0.5) }, JobOutcome.Complete).Sentence, StringComparison.Ordinal);
+            Judged(new RunJudgement(396.001, 12.0, "polled") { DeviationAt = new Point2D(-44, 0.5) }, JobOutcome.Complete).Message, StringComparison.Ordinal);
         Assert.StartsWith(
-            "7.9 mm of the drawing were not cut. Position: 1,2. The values come", Judged(new RunJudgement(0.001, 7.9, "record") { MissingAt = new Point2D(1, 2) }, JobOutcome.Complete).Sentence, StringComparison.Ordinal);
+            "7.9 mm of the drawing were not cut. Position: 1,2. The values come", Judged(new RunJudgement(0.001, 7.9, "record") { MissingAt = new Point2D(1, 2) }, JobOutcome.Complete).Message, StringComparison.Ordinal);
     }
 
     [Fact]

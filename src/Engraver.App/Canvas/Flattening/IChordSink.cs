@@ -1,0 +1,10 @@
+using Engraver.App.Canvas.Views;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Flattening;
+
+/// <summary>Receives the chords with which a curve is drawn, pixels.</summary>
+internal interface IChordSink
+{
+    void Chord(double fromX, double fromY, double toX, double toY);
+}

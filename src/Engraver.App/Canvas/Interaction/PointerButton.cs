@@ -1,0 +1,10 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Interaction;
+
+internal enum PointerButton
+{
+    Left,
+    Middle,
+    Right,
+}

@@ -1,0 +1,22 @@
+using System.Buffers;
+using System.Runtime.InteropServices;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Dxf.Tags;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>The operator's choices before a drawing is read.</summary>
+/// <param name="UnitOverride">The unit to use instead of the file's (its <see cref="LengthUnit.Source"/> is "option"); null uses the file's.</param>
+/// <param name="MaxExpandedCurves">Maximum number of curves and nested inserts that the expansion of blocks may visit in one drawing; an INSERT beyond that is
+/// refused by name.</param>
+/// <param name="Cut">Construction that is cut like curves.</param>
+public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
+{
+    public static DxfReadOptions Default { get; } = new();
+
+    /// <summary>Receives the part of the file that has been read, 0 to 1, about a hundred times, on the reading thread; null for none.</summary>
+    public IProgress<double>? Progress { get; init; }
+}

@@ -1,0 +1,20 @@
+using System.Diagnostics;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Tags;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Mapping;
+
+/// <summary>Result of transforming a part.</summary>
+internal enum PlacementOutcome
+{
+    /// <summary>Transformed exactly (a circle may have become an ellipse).</summary>
+    Exact,
+
+    /// <summary>Transformed exactly but not level: its plan view is cut.</summary>
+    Tilted,
+
+    /// <summary>A coordinate is no longer a usable number.</summary>
+    OutOfRange,
+}

@@ -1,0 +1,15 @@
+namespace Engraver.Core.Machines;
+
+/// <summary>An output and the level at which the device that it switches is on.</summary>
+/// <param name="Output">Number of the output, from 1.</param>
+/// <param name="IsActiveLow">The device is on while the output is off.</param>
+public readonly record struct OutputSwitch(int Output, bool IsActiveLow = false)
+{
+    public static implicit operator OutputSwitch(int output) => FromInt32(output);
+
+    /// <summary>Whether the device is on.</summary>
+    /// <param name="outputs">Outputs 1 to 8, bit 0 is output 1.</param>
+    public bool IsOn(int outputs) => ((outputs & (1 << (Output - 1))) != 0) != IsActiveLow;
+
+    public static OutputSwitch FromInt32(int output) => new(output);
+}

@@ -1,0 +1,12 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+
+namespace Engraver.Core.Machines;
+
+/// <param name="Device">Device path or port name.</param>
+/// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
+/// <param name="Flow">Flow control.</param>
+public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress
+{
+    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"serial://{Device}?baud={Baud}{Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}");
+}

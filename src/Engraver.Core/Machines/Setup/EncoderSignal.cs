@@ -1,0 +1,7 @@
+namespace Engraver.Core.Machines.Setup;
+
+public enum EncoderSignal
+{
+    Quadrature,
+    PulseAndDirection,
+}

@@ -1,0 +1,16 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>One VP or CR of a vector sequence, in counts of the job's frame.</summary>
+/// <remarks>Line: only <see cref="End"/> matters. Arc: radius, theta and delta exactly as they will be sent (already rounded to the controller's resolution);
+/// <see cref="End"/> is the predicted position after it, rounded to counts (galil-dmc.md B.3).</remarks>
+/// <param name="Kind">VP or CR.</param>
+/// <param name="End">End point, job frame.</param>
+/// <param name="Radius">CR radius, whole counts; 0 for a line.</param>
+/// <param name="ThetaDegrees">CR theta: direction from the centre to the current point.</param>
+/// <param name="DeltaDegrees">CR delta: signed sweep, counter-clockwise positive.</param>
+/// <param name="EntityIndex">The drawing entity of this segment.</param>
+/// <param name="Length">Path length in counts.</param>
+public readonly record struct VectorSegment(
+    VectorSegmentKind Kind, CountsPoint End, int Radius, double ThetaDegrees, double DeltaDegrees, int EntityIndex, double Length);

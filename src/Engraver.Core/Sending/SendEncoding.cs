@@ -1,0 +1,11 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts.Agie;
+
+namespace Engraver.Core.Sending;
+
+/// <summary>The result of preparing a program for sending.</summary>
+/// <param name="Job">Null when it cannot be sent.</param>
+/// <param name="Refusal">The reason why it cannot be sent; null when it can.</param>
+public sealed record SendEncoding(SendJob? Job, Diagnostic? Refusal);

@@ -1,0 +1,17 @@
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Serialization;
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs.Journal;
+
+/// <summary>A sequence, a call or a program is about to begin: what the controller counts from now on belongs to it.</summary>
+/// <param name="First">Its first segment, in the order of cutting of the whole program.</param>
+/// <param name="Starts">Segments before each of its sequences, and as the last number all of them.</param>
+/// <param name="Calls">seq before it.</param>
+public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Calls)
+{
+    public string Kind { get; } = "opened";
+}

@@ -1,0 +1,11 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Posts;
+using Engraver.Galil.Language;
+using static Engraver.Galil.Programs.Subprograms;
+
+namespace Engraver.Galil.Programs.Posting;
+
+/// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>
+/// <param name="Z">Of the drawing's height 0; null: the height of the tool at the start of the job.</param>
+public sealed record PostOrigin(long X, long Y, int? Z);

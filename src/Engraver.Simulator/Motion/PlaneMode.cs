@@ -1,0 +1,12 @@
+using Engraver.Simulator.Motion.Following;
+using Engraver.Simulator.Values;
+
+namespace Engraver.Simulator.Motion;
+
+/// <summary>The mode for which a plane was last set up.</summary>
+internal enum PlaneMode
+{
+    None,
+    Vector,
+    Linear,
+}

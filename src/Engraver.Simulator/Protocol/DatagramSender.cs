@@ -1,4 +1,0 @@
-namespace Engraver.Simulator.Protocol;
-
-/// <summary>Sends one datagram to the client of a UDP handle.</summary>
-internal delegate void DatagramSender(ReadOnlySpan<byte> bytes);

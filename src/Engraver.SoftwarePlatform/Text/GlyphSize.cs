@@ -1,0 +1,19 @@
+using System.Collections.Concurrent;
+using Avalonia;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>Size and position of a glyph, as far as its mask depends on them.</summary>
+internal static class GlyphSize
+{
+    /// <summary>Glyphs are positioned in quarters of a pixel.</summary>
+    public const int StepsPerPixel = 4;
+
+    private const double PartsPerPixel = 64;
+
+    /// <summary>Pixels per em in 1/64.</summary>
+    public static int ToParts(double pixelsPerEm) => (int)Math.Round(pixelsPerEm * PartsPerPixel);
+
+    public static double PixelsPerEm(int size) => size / PartsPerPixel;
+}

@@ -1,0 +1,16 @@
+using Avalonia.Input;
+using Avalonia.Input.Platform;
+
+namespace Engraver.SoftwarePlatform.Windows;
+
+/// <summary>A reader's view of data that stays on the clipboard: disposing the view leaves the data alone.</summary>
+internal sealed class SharedDataTransfer(IAsyncDataTransfer data) : IAsyncDataTransfer
+{
+    public IReadOnlyList<DataFormat> Formats => data.Formats;
+
+    public IReadOnlyList<IAsyncDataTransferItem> Items => data.Items;
+
+    public void Dispose()
+    {
+    }
+}

@@ -1,0 +1,21 @@
+using System.Globalization;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
+using Engraver.Workbench.Machines.Arming;
+
+namespace Engraver.Workbench.Certificates;
+
+/// <summary>Whether a certificate is valid for the current job.</summary>
+public enum CertificateState
+{
+    /// <summary>No certificate.</summary>
+    None,
+
+    /// <summary>Drawing, settings, profile and program match the certificate.</summary>
+    Stands,
+
+    /// <summary>Something has changed, or the file cannot be read.</summary>
+    Stale,
+}

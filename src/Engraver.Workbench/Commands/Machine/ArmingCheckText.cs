@@ -1,0 +1,15 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Arming;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>Writes the start checks line by line.</summary>
+internal static class ArmingCheckText
+{
+    public static void Write(CommandContext context, ArmingCheck check) =>
+        context.WriteMessage(check.Line, check switch { { IsWarning: true } => MessageKind.Warning, { Passed: true } => MessageKind.Result, _ => MessageKind.Error });
+}

@@ -1,0 +1,38 @@
+using System.Collections.Concurrent;
+using System.Globalization;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Commissioning;
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Origins;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Views;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>The prompt as shown in the command window.</summary>
+/// <param name="Command">Name of the prompting command; null if a command name is expected.</param>
+/// <param name="Text">The whole line, <c>&gt;&gt;</c> before it inside a transparent command.</param>
+/// <param name="Options">Options for clicking and completion.</param>
+/// <param name="Default">The value of Enter alone; null without a default.</param>
+/// <param name="AllowsSpaces">True if Space is part of the input and not Enter.</param>
+/// <param name="PointRequest">The requested point (a click on the canvas enters its coordinates); null if no point is requested.</param>
+public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool AllowsSpaces, PointRequest? PointRequest)
+{
+    /// <summary>Preview of Enter alone (<see cref="CommandLanguage.Prompt.Preview"/>); null without a preview.</summary>
+    public GhostFunction? Preview { get; init; }
+
+    /// <summary>The requested file; null if no file is requested.</summary>
+    public FileRequest? FileRequest { get; init; }
+
+    /// <summary>True for the question whether a file is replaced.</summary>
+    public bool ConfirmsReplacing { get; init; }
+
+    public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
+}

@@ -1,0 +1,14 @@
+using System.Globalization;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Commands.Inquiry;
+using Engraver.Workbench.Objects;
+
+namespace Engraver.Workbench.Commands.Properties;
+
+/// <summary>A property and the common value of the selected objects, or <see cref="ObjectProperties.Varies"/>.</summary>
+/// <param name="IsEditable">It can be changed for all of them.</param>
+/// <param name="Exists">All of them have it.</param>
+public sealed record PropertyValue(ObjectProperty Property, string Value, bool IsEditable, bool Exists = true);

@@ -1,0 +1,20 @@
+using Engraver.Core.Machines;
+using Engraver.Links;
+using Engraver.Links.Recording;
+using Engraver.Simulator.Clocks;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>The recorded conversation with a machine, for a replay.</summary>
+public sealed class MachineConversation
+{
+    internal MachineConversation(ConversationRecorder recorder) => Recorder = recorder;
+
+    internal ConversationRecorder Recorder { get; }
+
+    /// <summary>Why the recording is incomplete; null if complete.</summary>
+    public string? Failure => Recorder.Failure;
+
+    /// <summary>Flushes and closes the file.</summary>
+    public Task CloseAsync(CancellationToken cancellation) => Recorder.CloseAsync(cancellation);
+}

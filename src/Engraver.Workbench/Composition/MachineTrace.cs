@@ -1,0 +1,20 @@
+using Engraver.Core.Machines;
+using Engraver.Links;
+using Engraver.Links.Recording;
+using Engraver.Simulator.Clocks;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>The trace of a link: every line on the wire.</summary>
+public sealed class MachineTrace
+{
+    internal MachineTrace(WireTrace wire) => Wire = wire;
+
+    internal WireTrace Wire { get; }
+
+    /// <summary>Why it ended early; null if complete.</summary>
+    public string? Failure => Wire.Failure;
+
+    /// <summary>Flushes and closes the file.</summary>
+    public Task CloseAsync(CancellationToken cancellation) => Wire.CloseAsync(cancellation);
+}

@@ -1,0 +1,32 @@
+using System.Text;
+using Engraver.Core.Machines;
+using Engraver.Core.Posts;
+using Engraver.Core.Posts.Agie;
+using Engraver.Core.Posts.AgieReading;
+using Engraver.Core.Posts.ClDataReading;
+using Engraver.Core.Posts.Gcode;
+using Engraver.Core.Posts.GcodeReading;
+using Engraver.Core.Posts.Hpgl;
+using Engraver.Core.Posts.HpglReading;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Core.Trajectories.Posting;
+using Engraver.Core.Trajectories.Reading;
+using Engraver.Galil.Driver;
+using Engraver.Galil.Programs.Posting;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>A format in one dialect.</summary>
+/// <param name="Keyword">Keyword at prompts; the capitals are its abbreviation.</param>
+/// <param name="Dialect">Null for the default of the entry.</param>
+public sealed record PostChoice(string Keyword, PostEntry Entry, string? Dialect)
+{
+    /// <summary>The reader; null if there is none.</summary>
+    public IProgramReader? Reader => Dialect is null ? Entry.Reader : Entry.Dialects[Dialect];
+
+    /// <summary>The post options that select the dialect.</summary>
+    public IReadOnlyDictionary<string, string> Options => Dialect is null ? new Dictionary<string, string>() : new Dictionary<string, string> { ["dialect"] = Dialect };
+
+    /// <summary>Name in tables.</summary>
+    public string Name => $"{Entry.Post.Name} {Dialect ?? Entry.Dialects.Keys.Except(Entry.OtherDialects.Values).FirstOrDefault()}".TrimEnd();
+}

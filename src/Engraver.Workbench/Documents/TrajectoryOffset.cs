@@ -1,0 +1,19 @@
+using System.Diagnostics;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Offset trajectories.</summary>
+/// <param name="Distance">Removal radius of the tool, mm, above 0: the offset of the last pass.</param>
+/// <param name="Passes">At least 1.</param>
+/// <param name="Step">Distance between two passes, mm.</param>
+public sealed record TrajectoryOffset(double Distance, OffsetSide Side, int Passes, double Step);

@@ -1,0 +1,21 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>State of a feed hold.</summary>
+internal enum FeedHoldPhase
+{
+    /// <summary>Not held.</summary>
+    None,
+
+    /// <summary>A hold was requested; the machine decelerates.</summary>
+    Braking,
+
+    /// <summary>The machine is stopped.</summary>
+    Held,
+}

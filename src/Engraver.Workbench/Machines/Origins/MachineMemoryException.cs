@@ -1,0 +1,30 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Engraver.Core.Languages;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Origins;
+
+/// <summary>The stored state of a machine cannot be used. Without it the work origin is unknown, so nothing is moved.</summary>
+public sealed class MachineMemoryException : MachineUnavailableException
+{
+    public MachineMemoryException()
+    {
+    }
+
+    public MachineMemoryException(string message)
+        : base(message)
+    {
+    }
+
+    public MachineMemoryException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+
+    /// <summary>The state cannot be written: nothing is moved, because the position would be unknown afterwards.</summary>
+    internal static MachineMemoryException NotWritten(string failure) => new(Wording.Get("Origins.NotWritten", failure));
+}

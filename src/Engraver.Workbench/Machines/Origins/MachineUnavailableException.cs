@@ -1,0 +1,27 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Engraver.Core.Languages;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Origins;
+
+/// <summary>The machine answers but must not be moved by this host. Nothing was moved.</summary>
+public abstract class MachineUnavailableException : ControllerException
+{
+    protected MachineUnavailableException()
+    {
+    }
+
+    protected MachineUnavailableException(string message)
+        : base(message)
+    {
+    }
+
+    protected MachineUnavailableException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}

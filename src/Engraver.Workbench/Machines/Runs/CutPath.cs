@@ -1,0 +1,64 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Core.Motion;
+using Engraver.Core.Verification;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>The path of a program up to a position, as samples with the tool on.</summary>
+internal static class CutPath
+{
+    /// <summary>Maximum distance of a chord from its arc, counts.</summary>
+    private const double Sagitta = 0.2;
+
+    public static IEnumerable<TraceSample> SamplesBefore(MotionProgram program, JobPosition place)
+    {
+        var (left, scale) = (place.Segments, program.Profile.Scale);
+        foreach (var stroke in program.Strokes)
+        {
+            if (left < 0 || (left == 0 && place.Along == 0.0)) yield break;
+            yield return Sample(scale, new Point2D(stroke.Start.X, stroke.Start.Y), Math.Max(program.Profile.Height?.RetractHeight ?? 0.0, scale.ToMillimetres(stroke.Start.Z)), cutting: false);
+            foreach (var sequence in stroke.Sequences)
+            {
+                var start = sequence.Start;
+                foreach (var segment in sequence.Segments)
+                {
+                    var length = left > 0 ? segment.Length : left == 0 ? place.Along : 0.0;
+                    if (length > 0.0)
+                    {
+                        foreach (var at in Points(new SegmentPath(start, segment), segment, length)) yield return Sample(scale, at, scale.ToMillimetres(HeightOf(start, segment, at)), cutting: true);
+                    }
+
+                    left--;
+                    start = segment.End;
+                }
+            }
+        }
+    }
+
+    private static IEnumerable<Point2D> Points(SegmentPath course, VectorSegment segment, double length)
+    {
+        var chords = segment.Kind == VectorSegmentKind.Line ? 1 : Math.Max(1, (int)Math.Ceiling(length / Math.Sqrt(8.0 * Sagitta * segment.Radius)));
+        for (var i = 0; i <= chords; i++) yield return course.At(length * i / chords);
+    }
+
+    /// <summary>Z position, counts, interpolated linearly.</summary>
+    private static double HeightOf(CountsPoint start, in VectorSegment segment, Point2D at)
+    {
+        if (start.Z == segment.End.Z) return start.Z;
+        var (from, to) = (new Point2D(start.X, start.Y), new Point2D(segment.End.X, segment.End.Y));
+        return start.Z + (((double)segment.End.Z - start.Z) * (from == to ? 1.0 : Math.Min(1.0, from.DistanceTo(at) / from.DistanceTo(to))));
+    }
+
+    private static TraceSample Sample(CountsScale scale, Point2D at, double height, bool cutting)
+    {
+        var place = scale.ToMillimetres(at.X, at.Y);
+        return new TraceSample(0.0, place.X, place.Y, cutting, height);
+    }
+}

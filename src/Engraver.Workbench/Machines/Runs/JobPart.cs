@@ -1,0 +1,20 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Core.Motion;
+using Engraver.Core.Verification;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>The part of the drawing that START cuts: the rest of an interrupted job, or the contours from one on. Valid until it is cut or the drawing, the
+/// settings or the work origin change.</summary>
+/// <param name="Shown">Start of the part; earlier segments are shown as done.</param>
+/// <param name="Strategy">The strategy with which it was started; null where that is not known.</param>
+/// <param name="Drawing">The drawing of the part.</param>
+/// <param name="Settings">The settings of the part.</param>
+public sealed record JobPart(ResumeRequest Request, JobPosition Shown, ExecutionStrategy? Strategy, Drawing Drawing, DrawingSettings Settings);

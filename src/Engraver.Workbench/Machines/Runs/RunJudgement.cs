@@ -1,0 +1,35 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Verification;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>Comparison of a run with the drawing from the data of the controller or the simulator's record; null values are unknown.</summary>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors if their position error is known, otherwise of the
+/// commanded position.</param>
+/// <param name="MissingLengthMm">Drawn length that was not cut; also null if the link was lost and the controller continued alone.</param>
+/// <param name="Source">"record", "polled" or "none".</param>
+public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)
+{
+    public static RunJudgement Unknown { get; } = new(null, null, "none");
+
+    /// <summary>Largest distance of the commanded path from the drawing, if the deviation of the motors is known too; null if only one is known, which is then
+    /// <see cref="MaxDeviationMm"/>.</summary>
+    public double? CommandedDeviationMm { get; init; }
+
+    /// <summary>Largest following error of the servo axes while the tool cut, mm; null if it was not polled, or for steppers.</summary>
+    public double? FollowingMm { get; init; }
+
+    /// <summary>Its position on the commanded path, millimetres.</summary>
+    public Point2D? FollowingAt { get; init; }
+
+    /// <summary>Position of the largest deviation on the drawing, millimetres; null if unknown.</summary>
+    public Point2D? DeviationAt { get; init; }
+
+    /// <summary>The first position of the drawing that was not cut, millimetres; null if nothing is missing or it is unknown.</summary>
+    public Point2D? MissingAt { get; init; }
+}

@@ -1,0 +1,11 @@
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>Runs an urgent action on a new thread, independent of the caller, the UI thread and the thread pool.</summary>
+internal static class UrgentThread
+{
+    /// <summary>Starts the action and returns.</summary>
+    public static void Run(Action act) => new Thread(() => act()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
+}

@@ -1,0 +1,10 @@
+namespace Engraver.Workbench.Settings;
+
+public enum DesktopTheme
+{
+    Dark,
+    Light,
+
+    /// <summary>White on black.</summary>
+    HighContrast,
+}

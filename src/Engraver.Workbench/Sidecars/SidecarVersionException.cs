@@ -1,0 +1,26 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using Engraver.Core.Trajectories;
+
+namespace Engraver.Workbench.Sidecars;
+
+/// <summary>The file has an unknown version.</summary>
+public sealed class SidecarVersionException : Exception
+{
+    public SidecarVersionException()
+    {
+    }
+
+    /// <param name="message">The version.</param>
+    public SidecarVersionException(string message)
+        : base(message)
+    {
+    }
+
+    public SidecarVersionException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}
