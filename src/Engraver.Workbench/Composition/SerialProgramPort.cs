@@ -25,7 +25,7 @@ public sealed class SerialProgramPort : IProgramPort
 
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => _link.WriteAsync(bytes, cancellation);
 
-    public ValueTask<int> ReadAsync(Memory<byte> bytes, CancellationToken cancellation) => _link.ReadAsync(bytes, cancellation);
+    public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => _link.ReadAsync(buffer, cancellation);
 
     public async ValueTask DrainAsync(CancellationToken cancellation) => await _link.DrainAsync(cancellation).ConfigureAwait(false);
 

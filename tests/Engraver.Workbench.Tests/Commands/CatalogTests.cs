@@ -26,7 +26,7 @@ public class CatalogTests
         string? TitleOf(string name) => texts.GetValueOrDefault($"Command.{name}") ?? SettingTable.All.FirstOrDefault(setting => setting.Command == name)?.Name;
         var names = CommandCatalog.Built().All.Select(info => info.Name).ToList();
 
-        Assert.Empty(names.Where(name => TitleOf(name) is null));
+        Assert.DoesNotContain(names, name => TitleOf(name) is null);
         Assert.Distinct(names.Select(TitleOf));
     }
 
