@@ -11,7 +11,7 @@ namespace Engraver.Cli;
 /// <summary>Builds the verbs and options of the runner. An unknown verb is a usage error.</summary>
 internal static class EngraverCommandLine
 {
-    public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, ConnectedMachine machine)
+    public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, ConnectionGuard machine)
     {
         var root = new RootCommand(Wording.Get("EngraverCommandLine.Summary"));
         global.AddTo(root);

@@ -77,7 +77,7 @@ public static class EngraverProgram
     {
         if (GlobalOptions.Language(args) is { } language) CultureInfo.CurrentUICulture = language;
         var global = new GlobalOptions();
-        var machine = new ConnectedMachine();
+        var machine = new ConnectionGuard();
         var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
         if (WhyUnusable(args, root, parsed) is { } why)

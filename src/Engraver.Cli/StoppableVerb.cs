@@ -14,7 +14,7 @@ internal static class StoppableVerb
     /// <returns>The exit code of the verb.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped it. If the verb was abandoned, <paramref name="streams"/> accept no more
     /// output.</exception>
-    public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, ConnectedMachine machine, CancellationToken stop)
+    public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, ConnectionGuard machine, CancellationToken stop)
     {
         var running = RunOnNewThread(verb);
         try

@@ -10,13 +10,13 @@ public sealed class StreamLink(Stream stream, string description) : IControllerL
     /// <summary>The serial line that the stream represents; null for none.</summary>
     public SerialLine? Line { get; init; }
 
-    /// <summary>See <see cref="IControllerLink.TakenTicks"/>; null if unknown.</summary>
-    public Func<long>? Taken { get; init; }
+    /// <summary>See <see cref="IControllerLink.ReceivedTicks"/>; null if unknown.</summary>
+    public Func<long>? Received { get; init; }
 
     /// <summary>See <see cref="IControllerLink.NowTicks"/>; null if unknown.</summary>
     public Func<long>? Now { get; init; }
 
-    public long? TakenTicks => Taken?.Invoke();
+    public long? ReceivedTicks => Received?.Invoke();
 
     public long? NowTicks => Now?.Invoke();
 

@@ -10,7 +10,7 @@ public class StoppableVerbTests
         using var said = new MemoryStream();
         using (var streams = new ConsoleStreams(said, TextWriter.Null))
         {
-            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectedMachine(), verb.Stop.Token);
+            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectionGuard(), verb.Stop.Token);
             await verb.Begun;
             await verb.Stop.CancelAsync();
 
@@ -27,7 +27,7 @@ public class StoppableVerbTests
         using var said = new MemoryStream();
         using (var streams = new ConsoleStreams(said, TextWriter.Null))
         {
-            var machine = new ConnectedMachine();
+            var machine = new ConnectionGuard();
             machine.SetConnected(true);
             var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
             await verb.Begun;
@@ -46,7 +46,7 @@ public class StoppableVerbTests
     {
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new ConnectedMachine();
+        var machine = new ConnectionGuard();
         machine.SetConnected(true);
         machine.SetConnected(false);
         var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
@@ -72,7 +72,7 @@ public class StoppableVerbTests
     {
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new ConnectedMachine();
+        var machine = new ConnectionGuard();
         machine.SetConnected(true);
         var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
         await verb.Begun;
@@ -87,7 +87,7 @@ public class StoppableVerbTests
     public async Task A_verb_that_ends_in_the_moment_of_the_stop_says_itself_how_it_ended()
     {
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
-        var machine = new ConnectedMachine();
+        var machine = new ConnectionGuard();
         machine.SetConnected(true);
         for (var time = 0; time < 500; time++)
         {
@@ -109,7 +109,7 @@ public class StoppableVerbTests
         using var verb = new LongVerb();
         using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
         var endedOn = 0;
-        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectedMachine(), verb.Stop.Token);
+        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new ConnectionGuard(), verb.Stop.Token);
         var ended = running.ContinueWith(_ => endedOn = Environment.CurrentManagedThreadId, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         await verb.Begun;
         var signal = new Thread(verb.Stop.Cancel);

@@ -22,7 +22,7 @@ public sealed class OfferedClockTests : IDisposable
         var port = Port;
         _other.Stop();
 
-        var refused = Assert.Throws<ControllerLinkException>(() => OfferedClock.Take(port));
+        var refused = Assert.Throws<ControllerLinkException>(() => SharedClock.Acquire(port));
         Assert.StartsWith($"No clock at port {port} of this computer: ", refused.Message, StringComparison.Ordinal);
         Assert.EndsWith("or omit clock=.", refused.Message, StringComparison.Ordinal);
     }
@@ -36,7 +36,7 @@ public sealed class OfferedClockTests : IDisposable
     [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the connection")]
     public async Task Somebody_who_is_no_clock_is_refused_and_the_reason_is_told(string answer, string reason)
     {
-        var taking = Task.Run(() => OfferedClock.Take(Port));
+        var taking = Task.Run(() => SharedClock.Acquire(Port));
         using (var other = await _other.AcceptSocketAsync())
         {
             await AnswerAsync(other, answer);
@@ -50,7 +50,7 @@ public sealed class OfferedClockTests : IDisposable
     [Fact]
     public async Task The_time_is_what_the_other_end_says()
     {
-        var taking = Task.Run(() => OfferedClock.Take(Port));
+        var taking = Task.Run(() => SharedClock.Acquire(Port));
         using var other = await _other.AcceptSocketAsync();
         await AnswerAsync(other, "2500000\n");
         using var clock = await taking;
@@ -64,12 +64,12 @@ public sealed class OfferedClockTests : IDisposable
     [Fact]
     public async Task A_wait_ends_by_the_wall_when_the_other_end_is_gone()
     {
-        var taking = Task.Run(() => OfferedClock.Take(Port));
+        var taking = Task.Run(() => SharedClock.Acquire(Port));
         using var other = await _other.AcceptSocketAsync();
         await AnswerAsync(other, "1000000\n");
         using var clock = await taking;
         var waited = new TaskCompletionSource();
-        clock.Heard();
+        clock.Invalidate();
         var starting = Task.Run(() => clock.CreateTimer(_ => waited.SetResult(), null, TimeSpan.FromMilliseconds(20), Timeout.InfiniteTimeSpan));
         await AnswerAsync(other, "1000000\n");
         await using var timer = await starting;
@@ -84,11 +84,11 @@ public sealed class OfferedClockTests : IDisposable
     [Fact]
     public async Task A_clock_that_does_not_answer_as_one_is_given_back()
     {
-        var taking = Task.Run(() => OfferedClock.Take(Port));
+        var taking = Task.Run(() => SharedClock.Acquire(Port));
         using var other = await _other.AcceptSocketAsync();
         await AnswerAsync(other, "1000000\n");
         using var clock = await taking;
-        clock.Heard();
+        clock.Invalidate();
         var asking = Task.Run(clock.GetTimestamp);
         await AnswerAsync(other, "what?\n");
         await asking;
@@ -100,11 +100,11 @@ public sealed class OfferedClockTests : IDisposable
     [Fact]
     public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
-        var taking = Task.Run(() => OfferedClock.Take(Port));
+        var taking = Task.Run(() => SharedClock.Acquire(Port));
         using var other = await _other.AcceptSocketAsync();
         await AnswerAsync(other, "1000000\n");
         using var clock = await taking;
-        clock.Heard();
+        clock.Invalidate();
         var starting = Task.Run(() => clock.CreateTimer(_ => { }, null, TimeSpan.FromSeconds(10), Timeout.InfiniteTimeSpan));
         await AnswerAsync(other, "1000000\n");
         var given = await starting;

@@ -79,27 +79,27 @@ internal sealed class CanvasPointing
     {
         UpdateAim();
         if (_aim is null) ReleaseGrip();
-        Do(Pointer.Press(at, button, shift, clicks, () => EntityAt(at) is not null, () => GripAt(at) is not null));
+        Execute(Pointer.Press(at, button, shift, clicks, () => EntityAt(at) is not null, () => GripAt(at) is not null));
     }
 
     public void Move(Point2D at)
     {
         _cursor.Place = new Point(at.X, at.Y);
-        Do(Pointer.Move(at));
+        Execute(Pointer.Move(at));
     }
 
     /// <param name="button">Null for a button that means nothing here.</param>
     public void Release(Point2D at, PointerButton? button)
     {
         UpdateAim();
-        if (button is { } released) Do(Pointer.Release(at, released));
+        if (button is { } released) Execute(Pointer.Release(at, released));
     }
 
     /// <param name="notches">Positive: turned forward.</param>
     public void Wheel(Point2D at, double notches)
     {
         Pointer.NotchFactor = 1.0 + (ZoomFactor / ZoomFactorOfAQuarter);
-        Do(Pointer.Wheel(at, ReversesWheel ? -notches : notches));
+        Execute(Pointer.Wheel(at, ReversesWheel ? -notches : notches));
     }
 
     /// <summary>The cursor has left the canvas.</summary>
@@ -112,15 +112,16 @@ internal sealed class CanvasPointing
     }
 
     /// <summary>Esc, wherever the focus is: the shell calls it after the machine has had its turn.</summary>
-    public void Escape() => Do(Pointer.Escape());
+    public void Escape() => Execute(Pointer.Escape());
 
     /// <summary>Reads what the command asks for now, so that the cursor shows it before the mouse moves.</summary>
-    public void TakeAim()
+    public void UpdatePointRequest()
     {
-        if (UpdateAim()) PointAgain();
+        if (UpdateAim()) RepeatMove();
     }
 
-    /// <summary>Another scene is shown: what was hovered may be gone or have another number, and a box that was begun was meant for the scene before.</summary>
+    /// <summary>Another scene is shown: what was hovered may be gone or have another number, and a box that was started was meant for the scene
+    /// before.</summary>
     public void DropScene()
     {
         Pointer.DropBox();
@@ -128,7 +129,7 @@ internal sealed class CanvasPointing
     }
 
     /// <summary>Points again after the drawing moved under the cursor, the command asks for something else, or a drafting aid changed.</summary>
-    public void PointAgain()
+    public void RepeatMove()
     {
         if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
         ShowCursor();
@@ -180,7 +181,7 @@ internal sealed class CanvasPointing
         }
 
         _cursor.Snap = _aim is { Purpose: PointPurpose.Place } && Aids.SnapAt(at, _aim?.From) is { } snap ? (_canvas.ToControl(snap.Place), snap.Kind) : null;
-        _canvas.Commands?.CursorAt(Aimed(at));
+        _canvas.Commands?.CursorAt(SnappedPoint(at));
     }
 
     private void ShowCursor()
@@ -188,11 +189,11 @@ internal sealed class CanvasPointing
         Point2D? at = _cursor.Place is { } cursor ? new Point2D(cursor.X, cursor.Y) : null;
         var from = _aim?.From is { } known ? _canvas.ToControl(known) : default(Point?);
         _cursor.Box = Pointer.Box ?? (_aim is { Purpose: PointPurpose.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
-        _cursor.Line = _aim is { Purpose: PointPurpose.Place } && from is { } start && at is { } end ? (start, _canvas.ToControl(Aimed(end))) : null;
+        _cursor.Line = _aim is { Purpose: PointPurpose.Place } && from is { } start && at is { } end ? (start, _canvas.ToControl(SnappedPoint(end))) : null;
         _cursor.Track = _aim is { Purpose: PointPurpose.Place } && at is { } tracked ? Aids.TrackOf(tracked, _aim?.From) : null;
-        _cursor.Tip = _aim is { } aim && at is { } place && _canvas.View?.Current is { DynamicInput: true } ? CursorTip.Format(_canvas.Commands?.Instruction ?? "", aim, Aimed(place), Figures, Aids.TipPrefix(_cursor.Track is not null)) : "";
+        _cursor.Tip = _aim is { } aim && at is { } place && _canvas.View?.Current is { DynamicInput: true } ? CursorTip.Format(_canvas.Commands?.Instruction ?? "", aim, SnappedPoint(place), Figures, Aids.TipPrefix(_cursor.Track is not null)) : "";
         if (_preview is { } preview) _ghosts.Request(preview, default(Point2D));
-        else _ghosts.Request(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
+        else _ghosts.Request(_aim?.Ghost, at is { } pointed ? SnappedPoint(pointed) : null);
         _cursor.Ghost = [.. _ghosts.Shown.Take(MaxGhostSegments).Select(Chords)];
         (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
         _cursor.InvalidateVisual();
@@ -206,9 +207,9 @@ internal sealed class CanvasPointing
 
     /// <summary>The point that a click here gives, drawing units.</summary>
     /// <remarks>A grip may be dragged and released before its command has asked for the target.</remarks>
-    private Point2D Aimed(Point2D at) => _aim is { Purpose: PointPurpose.Place } aim ? Aids.Snap(at, aim.From, aim.From) : _aim is null && HeldGrip is { } grip ? Aids.Snap(at, null, grip) : _canvas.ToDrawing(at);
+    private Point2D SnappedPoint(Point2D at) => _aim is { Purpose: PointPurpose.Place } aim ? Aids.Snap(at, aim.From, aim.From) : _aim is null && HeldGrip is { } grip ? Aids.Snap(at, null, grip) : _canvas.ToDrawing(at);
 
-    private void Do(CanvasIntent intent)
+    private void Execute(CanvasIntent intent)
     {
         switch (intent)
         {
@@ -241,22 +242,22 @@ internal sealed class CanvasPointing
         if (intent is CanvasIntent.ZoomExtents) commands.ZoomExtents();
         else if (intent is CanvasIntent.Cancel) commands.Cancel();
         else if (intent is CanvasIntent.Menu menu) commands.Menu(_canvas.ToDrawing(menu.At));
-        else if (intent is CanvasIntent.SubmitPoint given) Give(commands, given);
-        else if (intent is CanvasIntent.GrabGrip hold && GripAt(hold.At) is { } grip) Hold(commands, grip.Place);
-        else if (intent is CanvasIntent.DropGrip drop) commands.GripDropped(Aimed(drop.At));
+        else if (intent is CanvasIntent.SubmitPoint given) SubmitPoint(commands, given);
+        else if (intent is CanvasIntent.GrabGrip hold && GripAt(hold.At) is { } grip) HoldGrip(commands, grip.Place);
+        else if (intent is CanvasIntent.DropGrip drop) commands.GripDropped(SnappedPoint(drop.At));
         else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(_canvas.ToDrawing(pick.At), entity, _canvas.Scene!.Drawing, pick.Remove);
     }
 
-    private void Hold(ICanvasCommands commands, Point2D grip)
+    private void HoldGrip(ICanvasCommands commands, Point2D grip)
     {
         HeldGrip = grip;
         _canvas.UpdateMarkers();
         commands.GripPressed(grip);
     }
 
-    private void Give(ICanvasCommands commands, CanvasIntent.SubmitPoint given)
+    private void SubmitPoint(ICanvasCommands commands, CanvasIntent.SubmitPoint given)
     {
-        if (_aim is not { Purpose: PointPurpose.Place } || !Aids.WaitsForSnap(given.At, _aim.From)) commands.PointGiven(Aimed(given.At), given.Remove);
+        if (_aim is not { Purpose: PointPurpose.Place } || !Aids.WaitsForSnap(given.At, _aim.From)) commands.PointGiven(SnappedPoint(given.At), given.Remove);
     }
 
     /// <summary>Brings the finding under the cursor into the middle, nearer by <see cref="FindingZoom"/>.</summary>

@@ -131,10 +131,10 @@ public sealed class DrawingCanvas : Panel
     /// <summary>The mouse on the canvas.</summary>
     internal CanvasPointing Pointing { get; }
 
-    /// <summary>True when the finished picture shows what is wanted, so that none is being drawn.</summary>
+    /// <summary>True when the finished picture is up to date and no picture is being drawn.</summary>
     public bool IsUpToDate => _cache.IsUpToDate;
 
-    /// <summary>How long the view must rest before the picture is drawn anew.</summary>
+    /// <summary>How long the view must rest before the picture is drawn again.</summary>
     internal TimeSpan RestDelay
     {
         get => _refiner.RestDelay;
@@ -264,7 +264,7 @@ public sealed class DrawingCanvas : Panel
         Pointing.DropScene();
         UpdateContent();
         UpdateMarkers();
-        Pointing.PointAgain();
+        Pointing.RepeatMove();
     }
 
     private void SubscribeToView(ViewSession? before, ViewSession? now)
@@ -288,7 +288,7 @@ public sealed class DrawingCanvas : Panel
         UpdateView();
         UpdateContent();
         UpdateMarkers();
-        Pointing.PointAgain();
+        Pointing.RepeatMove();
     }
 
     private void UpdateView() => UpdateView(Bounds.Size);
@@ -309,7 +309,7 @@ public sealed class DrawingCanvas : Panel
         _refiner.OnViewMoving();
     }
 
-    /// <summary>Where a point of the control lies now that lay there in a view before.</summary>
+    /// <summary>The present position of a point of the control that was drawn in an earlier view.</summary>
     private Point2D Moved(Point2D at, in CanvasView before)
     {
         var now = ToControl(before.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling)));

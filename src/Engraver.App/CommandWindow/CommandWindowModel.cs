@@ -23,7 +23,7 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
     {
         _desk = desk;
         Choose = new RelayCommand(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name));
-        desk.Notifications.Said += OnMessagesAdded;
+        desk.Notifications.MessagesWritten += OnMessagesAdded;
         desk.Notifications.Changed += OnChanged;
     }
 

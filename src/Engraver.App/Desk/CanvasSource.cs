@@ -52,7 +52,7 @@ public sealed class CanvasSource
         ShowTrajectories(state.Sidecar.Trajectories);
         ShowMachine();
         ApplyVariables(_desk.Session.Settings.Current);
-        _canvas.Pointing.TakeAim();
+        _canvas.Pointing.UpdatePointRequest();
         ShowTool();
     }
 
@@ -119,7 +119,7 @@ public sealed class CanvasSource
     /// <summary>Number of moves of the job's toolpath that are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Session.Machine.Runs.ShownJob?.Trajectories is not null) return 0; // trajectories are no moves of the toolpath
+        if (segmentsDone == 0 || _desk.Session.Machine.Runs.ShownJob?.Trajectories is not null) return 0; // trajectories are not moves of the toolpath
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }

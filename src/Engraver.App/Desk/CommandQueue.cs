@@ -20,7 +20,7 @@ public sealed class CommandQueue : IAsyncDisposable
     private readonly DesktopNotifications _notifications;
     private readonly CancellationTokenSource _closing = new();
     private readonly TaskChain<InputResult> _inputs = new(new InputResult.Done());
-    private readonly TaskChain<InputResult> _beside = new(new InputResult.Done());
+    private readonly TaskChain<InputResult> _concurrent = new(new InputResult.Done());
 
     /// <summary>Typed inputs whose turn comes when nothing is on its way to run beside the command at work.</summary>
     private Task _typing = Task.CompletedTask;
@@ -55,14 +55,14 @@ public sealed class CommandQueue : IAsyncDisposable
     public Task<InputResult> EnterAsync(string input)
     {
         if (!IsAtWork) return Enqueue(() => _session.EnterAsync(input, Closing));
-        return _session.Beside.IsUrgent(input) ? _notifications.Watch(Task.Run(() => _session.EnterAsync(input, Closing))) : RunBeside(() => _session.EnterAsync(input, Closing));
+        return _session.Concurrent.IsUrgent(input) ? _notifications.Watch(Task.Run(() => _session.EnterAsync(input, Closing))) : RunConcurrent(() => _session.EnterAsync(input, Closing));
     }
 
     /// <summary>Takes a point that was clicked.</summary>
     /// <param name="command">The only command that may get it; null: the one that asks.</param>
     public Task<InputResult> PointAsync(Point2D place, string? command = null)
     {
-        if (IsAtWork) return RunBeside(() => _session.PointAsync(place, Closing));
+        if (IsAtWork) return RunConcurrent(() => _session.PointAsync(place, Closing));
         return Enqueue(() => command is null || _session.Prompt.Command == command ? _session.PointAsync(place, Closing) : Task.FromResult<InputResult>(new InputResult.Done()));
     }
 
@@ -70,8 +70,8 @@ public sealed class CommandQueue : IAsyncDisposable
     /// (<see cref="TypeAheadBuffer"/>).</summary>
     public Task<InputResult> TypeAsync(string input)
     {
-        if (IsAtWork && _session.Beside.IsUrgent(input)) return EnterAsync(input);
-        return _beside.Last.IsCompleted && _typing.IsCompleted ? TypeNow(input) : TypeLater(input);
+        if (IsAtWork && _session.Concurrent.IsUrgent(input)) return EnterAsync(input);
+        return _concurrent.Last.IsCompleted && _typing.IsCompleted ? TypeNow(input) : TypeLater(input);
     }
 
     /// <summary>Takes pasted lines.</summary>
@@ -83,14 +83,14 @@ public sealed class CommandQueue : IAsyncDisposable
     public Task<InputResult> RunAsync(params string[] inputs)
     {
         if (!IsAtWork) return Enqueue(() => RunNowAsync(inputs));
-        return _session.Beside.IsUrgent(inputs[0]) ? EnterAsync(inputs[0]) : RunBeside(() => RunBesideNowAsync(inputs));
+        return _session.Concurrent.IsUrgent(inputs[0]) ? EnterAsync(inputs[0]) : RunConcurrent(() => RunConcurrentNowAsync(inputs));
     }
 
-    /// <summary>Performs work that is no command: in its turn, or beside the command at work.</summary>
+    /// <summary>Performs work that is not a command: in its turn, or concurrently with the running command.</summary>
     public Task<InputResult> PerformAsync(Func<InputResult> work)
     {
         Task<InputResult> Work() => Task.FromResult(work());
-        return IsAtWork ? RunBeside(Work) : Enqueue(Work);
+        return IsAtWork ? RunConcurrent(Work) : Enqueue(Work);
     }
 
     /// <summary>Answers the question for a file, unless it was answered or ended in the meantime. The dialog has already asked whether an existing file may be
@@ -107,16 +107,16 @@ public sealed class CommandQueue : IAsyncDisposable
     public Task CancelAsync()
     {
         _session.TypeAhead.Flush();
-        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0 && _session.Derivation.Cancel()) _notifications.Say(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
+        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0 && _session.Derivation.Cancel()) _notifications.Write(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
         return Cancelled = IsBusy ? Task.Run(_session.CancelAsync) : Enqueue(CancelNowAsync);
     }
 
     /// <summary>Ends the command beside the one at work, which continues, and drops typed inputs for it that have not reached it yet; Esc has held the
     /// job.</summary>
-    public Task EndBesideAsync()
+    public Task EndConcurrentAsync()
     {
         _typingEpoch++;
-        return Cancelled = _typing = EndBesideAsync(_typing);
+        return Cancelled = _typing = EndConcurrentAsync(_typing);
     }
 
     public async ValueTask DisposeAsync()
@@ -144,7 +144,7 @@ public sealed class CommandQueue : IAsyncDisposable
     }));
 
     /// <summary>Runs an input beside the command at work, after those before it.</summary>
-    private Task<InputResult> RunBeside(Func<Task<InputResult>> work) => _notifications.Watch(_beside.Add(async () =>
+    private Task<InputResult> RunConcurrent(Func<Task<InputResult>> work) => _notifications.Watch(_concurrent.Add(async () =>
     {
         try
         {
@@ -158,20 +158,20 @@ public sealed class CommandQueue : IAsyncDisposable
 
     private Task<InputResult> TypeNow(string input)
     {
-        if ((_kept == 0 || _session.Beside.Asks) && (!IsAtWork || _session.Beside.Takes(input))) return EnterAsync(input);
+        if ((_kept == 0 || _session.Concurrent.HasPrompt) && (!IsAtWork || _session.Concurrent.Accepts(input))) return EnterAsync(input);
         if (_session.TypeAhead.RefusalOf(input) is { } refused)
         {
-            _notifications.Say(MessageKind.Error, refused);
+            _notifications.Write(MessageKind.Error, refused);
             return Task.FromResult<InputResult>(new InputResult.NotAccepted(refused));
         }
 
-        _notifications.Say(MessageKind.Note, Texts.Text.Get("Command.Queued", input.Trim()));
+        _notifications.Write(MessageKind.Note, Texts.Text.Get("Command.Queued", input.Trim()));
         var (before, typedAt) = (_inputs.Last, _session.TypeAhead.Flushed);
         _kept++;
-        return Enqueue(() => RunKeptAsync(input, typedAt, before));
+        return Enqueue(() => RunTypedAheadAsync(input, typedAt, before));
     }
 
-    private async Task<InputResult> RunKeptAsync(string input, int typedAt, Task<InputResult> before)
+    private async Task<InputResult> RunTypedAheadAsync(string input, int typedAt, Task<InputResult> before)
     {
         Interlocked.Decrement(ref _kept);
         return await _session.TypeAhead.EnterAsync(input, typedAt, before.IsCompletedSuccessfully ? await before.ConfigureAwait(false) : new InputResult.Cancelled(), Closing).ConfigureAwait(false);
@@ -190,23 +190,23 @@ public sealed class CommandQueue : IAsyncDisposable
     {
         var epoch = _typingEpoch;
         await Settled(before);
-        await Settled(_beside.Last);
+        await Settled(_concurrent.Last);
         typed.SetResult(epoch == _typingEpoch ? TypeNow(input) : Task.FromResult<InputResult>(new InputResult.Cancelled()));
-        await Settled(_beside.Last);
+        await Settled(_concurrent.Last);
     }
 
-    /// <summary>Ends it at once, and again when the input that was on its way to the session has begun its command.</summary>
-    private async Task EndBesideAsync(Task before)
+    /// <summary>Ends it at once, and again when the input that was on its way to the session has started its command.</summary>
+    private async Task EndConcurrentAsync(Task before)
     {
-        var again = RunBeside(EndBesideNowAsync);
-        await Task.Run(_session.Beside.EndAsync);
+        var again = RunConcurrent(EndConcurrentNowAsync);
+        await Task.Run(_session.Concurrent.EndAsync);
         await again;
         await Settled(before);
     }
 
-    private async Task<InputResult> EndBesideNowAsync()
+    private async Task<InputResult> EndConcurrentNowAsync()
     {
-        await _session.Beside.EndAsync().ConfigureAwait(false);
+        await _session.Concurrent.EndAsync().ConfigureAwait(false);
         return new InputResult.Cancelled();
     }
 
@@ -232,12 +232,12 @@ public sealed class CommandQueue : IAsyncDisposable
     }
 
     /// <summary>The same beside the command at work; a command that asks beside it is ended first.</summary>
-    private async Task<InputResult> RunBesideNowAsync(string[] inputs)
+    private async Task<InputResult> RunConcurrentNowAsync(string[] inputs)
     {
-        await _session.Beside.EndAsync().ConfigureAwait(false);
+        await _session.Concurrent.EndAsync().ConfigureAwait(false);
         InputResult result = new InputResult.AwaitingInput();
         for (var at = 0; at < inputs.Length && result is InputResult.AwaitingInput; at++) result = await _session.EnterAsync(inputs[at], Closing).ConfigureAwait(false);
-        if (result is InputResult.NotAccepted && inputs.Length > 1) await _session.Beside.EndAsync().ConfigureAwait(false);
+        if (result is InputResult.NotAccepted && inputs.Length > 1) await _session.Concurrent.EndAsync().ConfigureAwait(false);
         return result;
     }
 

@@ -20,7 +20,7 @@ public sealed class DesktopNotifications : IDisposable
         (_session, _derived, _released) = (session, derived, released);
         Prompt = session.Prompt;
         derived.Posting += work => _ = PostWhenDoneAsync(work);
-        session.MessageWritten += OnSaid;
+        session.MessageWritten += OnMessageWritten;
         session.Document.Changed += (_, _) => Post();
         session.Machine.Changed += (_, _) => Post();
         session.Machine.Alarms.Changed += (_, _) => Post();
@@ -36,7 +36,7 @@ public sealed class DesktopNotifications : IDisposable
     }
 
     /// <summary>New lines of the history.</summary>
-    public event Action<IReadOnlyList<CommandMessage>>? Said;
+    public event Action<IReadOnlyList<CommandMessage>>? MessagesWritten;
 
     /// <summary>Raised after prompt, document or machine have changed.</summary>
     public event Action? Changed;
@@ -48,7 +48,7 @@ public sealed class DesktopNotifications : IDisposable
     public PromptView Prompt { get; private set; }
 
     /// <summary>Adds a line of the window to the history, after the lines of the session before it.</summary>
-    public void Say(MessageKind kind, string text)
+    public void Write(MessageKind kind, string text)
     {
         _messages.Enqueue(new CommandMessage(kind, text));
         DeliverMessages();
@@ -65,7 +65,7 @@ public sealed class DesktopNotifications : IDisposable
         _released.OnDerivedChanged(_derived.Current);
     }
 
-    public void Dispose() => _session.MessageWritten -= OnSaid;
+    public void Dispose() => _session.MessageWritten -= OnMessageWritten;
 
     /// <summary>Queues a delivery. Any number of calls leaves one delivery in the UI queue.</summary>
     internal void Post()
@@ -94,7 +94,7 @@ public sealed class DesktopNotifications : IDisposable
         if (work.Exception is { } failure) Failed?.Invoke(failure.InnerException ?? failure);
     }
 
-    private void OnSaid(object? sender, CommandMessage message)
+    private void OnMessageWritten(object? sender, CommandMessage message)
     {
         _messages.Enqueue(message);
         Post();
@@ -104,6 +104,6 @@ public sealed class DesktopNotifications : IDisposable
     {
         var lines = new List<CommandMessage>();
         while (_messages.TryDequeue(out var message)) lines.Add(message);
-        if (lines.Count > 0) Said?.Invoke(lines);
+        if (lines.Count > 0) MessagesWritten?.Invoke(lines);
     }
 }

@@ -45,7 +45,7 @@ internal static class OverlayInputBuilder
         {
             if (finding.Place is { } place)
             {
-                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(drawing.Scale.ToDrawing(place)); // the gaps of the job come by themselves
+                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(drawing.Scale.ToDrawing(place)); // the gaps of the job are added separately
             }
             else if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
         }

@@ -161,7 +161,7 @@ public sealed class FileDialogModel : ObservableObject
         _ = FindPlacesAsync(wanted);
     }
 
-    /// <summary>Hides the dialog; nothing of it goes on.</summary>
+    /// <summary>Hides the dialog and ends all its work.</summary>
     internal void Close()
     {
         if (_wanted is null) return;
@@ -172,7 +172,7 @@ public sealed class FileDialogModel : ObservableObject
         OnPropertyChanged(null);
     }
 
-    /// <summary>Says in the dialog what stands in the way.</summary>
+    /// <summary>Shows in the dialog why the file cannot be used.</summary>
     internal void ShowFinding(string sentence) => Finding = sentence;
 
     /// <summary>The row under the mouse is shown in the preview, as long as it is there.</summary>
@@ -243,7 +243,7 @@ public sealed class FileDialogModel : ObservableObject
         else if (target is FileTarget.TargetFile file) Answered?.Invoke(new FileChoice(wanted, file.Path, file.Exists));
     }
 
-    /// <summary>Goes into a folder whose name was typed: it is no name of a file.</summary>
+    /// <summary>Goes into a folder whose name was typed: it is not the name of a file.</summary>
     private void Enter(string folder)
     {
         SetName("", typed: false);
@@ -302,7 +302,7 @@ public sealed class FileDialogModel : ObservableObject
         }
     }
 
-    /// <summary>A folder that cannot be read is told, and the one before stays.</summary>
+    /// <summary>A folder that cannot be read is reported, and the previous one remains.</summary>
     private void TakeListing(string folder, FolderListing listing, string? choose)
     {
         _stopReading = null;

@@ -49,11 +49,11 @@ internal sealed class FileDrop
         var path = paths.FirstOrDefault(IsDrawing) ?? paths[0];
         if (_desk.Queue.IsBusy)
         {
-            _desk.Notifications.Say(MessageKind.Warning, Text.Get("Files.DropWhileBusy", Path.GetFileName(path)));
+            _desk.Notifications.Write(MessageKind.Warning, Text.Get("Files.DropWhileBusy", Path.GetFileName(path)));
             return;
         }
 
-        if (paths.Count > 1) _desk.Notifications.Say(MessageKind.Note, Text.Get("Files.DropOneOnly", Path.GetFileName(path)));
+        if (paths.Count > 1) _desk.Notifications.Write(MessageKind.Note, Text.Get("Files.DropOneOnly", Path.GetFileName(path)));
         _ = IsDrawing(path) ? _files.OpenAsync(path) : _files.RunScriptAsync(path);
     }
 }

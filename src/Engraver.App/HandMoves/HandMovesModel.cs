@@ -134,14 +134,14 @@ public sealed class HandMovesModel : ObservableObject, IDisposable
         if (_jog is { IsReleased: false }) return;
         if (RefusalReason() is { } why)
         {
-            _desk.Notifications.Say(MessageKind.Error, why);
+            _desk.Notifications.Write(MessageKind.Error, why);
             return;
         }
 
         if (Step.Millimetres is { } step)
         {
             if (!_desk.IsMoving || _desk.Session.Machine.Controls.IsHeld) StepBy(way, step);
-            else _desk.Notifications.Say(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
+            else _desk.Notifications.Write(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
             return;
         }
 
@@ -202,13 +202,13 @@ public sealed class HandMovesModel : ObservableObject, IDisposable
         try
         {
             var result = await ended;
-            if (jog.Abandoned is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Say(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
-            if (result.Outcome != JobOutcome.Complete && result.Message.Length > 0) _desk.Notifications.Say(MessageKind.Error, result.Message);
-            foreach (var left in result.NotRestored) _desk.Notifications.Say(MessageKind.Warning, left);
+            if (jog.Abandoned is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Write(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
+            if (result.Outcome != JobOutcome.Complete && result.Message.Length > 0) _desk.Notifications.Write(MessageKind.Error, result.Message);
+            foreach (var left in result.NotRestored) _desk.Notifications.Write(MessageKind.Warning, left);
         }
         catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
         {
-            _desk.Notifications.Say(MessageKind.Error, failure.Message);
+            _desk.Notifications.Write(MessageKind.Error, failure.Message);
         }
         finally
         {

@@ -77,7 +77,7 @@ public sealed class PropertiesModel : ObservableObject
         if (typed.Length == 0 || !ReferenceEquals(state.Drawing, of.Drawing) || !ReferenceEquals(state.Selection, of.Selection)) return false;
         if (_desk.Prompt.Command is { } asking)
         {
-            _desk.Notifications.Say(MessageKind.Warning, Text.Get("Properties.CommandAsks", value.Property.Title, asking));
+            _desk.Notifications.Write(MessageKind.Warning, Text.Get("Properties.CommandAsks", value.Property.Title, asking));
             return false;
         }
 

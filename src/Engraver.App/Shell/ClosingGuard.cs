@@ -38,7 +38,7 @@ internal sealed class ClosingGuard
         _warnedOfJob = _desk.IsMoving;
         if (warnsOfJob)
         {
-            _desk.Notifications.Say(MessageKind.Warning, Text.Get("Window.CloseWhileMoving"));
+            _desk.Notifications.Write(MessageKind.Warning, Text.Get("Window.CloseWhileMoving"));
             return true;
         }
 

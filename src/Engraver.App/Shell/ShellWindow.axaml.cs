@@ -251,7 +251,7 @@ public partial class ShellWindow : Window
     private void OnMachineHeld() => Dispatcher.UIThread.Post(() =>
     {
         Model.Command.Line = "";
-        _ = _desk.Queue.EndBesideAsync();
+        _ = _desk.Queue.EndConcurrentAsync();
         if (!IsSheetOpen) FocusCommandLine();
     });
 

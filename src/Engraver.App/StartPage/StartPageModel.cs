@@ -59,7 +59,7 @@ public sealed class StartPageModel : ObservableObject
     {
         if (drawing.IsMissing)
         {
-            _desk.Notifications.Say(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
+            _desk.Notifications.Write(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
             return;
         }
 

@@ -31,10 +31,10 @@ internal sealed class GlobalOptions
 
     public bool Verbose(ParseResult parsed) => parsed.GetValue(_verbose);
 
-    /// <summary>The same for whoever has only the parsed line.</summary>
+    /// <summary>The same for a caller that has only the parsed line.</summary>
     public static bool IsErrorsOnly(ParseResult parsed) => parsed.RootCommandResult.Command.Options.OfType<Option<bool>>().Any(option => option.Name == QuietName && parsed.GetValue(option));
 
-    /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when
+    /// <summary>The language that the arguments ask for. Help and refusals use it too, so it is searched for before anything is parsed; null when
     /// there is none, or none that is known.</summary>
     public static CultureInfo? Language(string[] args)
     {

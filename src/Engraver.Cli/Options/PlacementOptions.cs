@@ -9,7 +9,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
 
-/// <summary><c>--origin</c>: where the drawing's zero lies on the machine.</summary>
+/// <summary><c>--origin</c>: where the drawing's zero is on the machine.</summary>
 internal sealed class PlacementOptions
 {
     private readonly Option<OriginRequest> _origin = new("--origin")
@@ -29,7 +29,7 @@ internal sealed class PlacementOptions
     /// <summary>Whether the work origin was asked for by name, and is not just the default.</summary>
     public bool RequestsWorkOrigin(ParseResult parsed) => parsed.GetResult(_origin) is { Implicit: false } && Origin(parsed) is OriginRequest.ActiveOrigin;
 
-    /// <summary>The name of this process for another host that wants the machine meanwhile.</summary>
+    /// <summary>The name of this process for another host that requests the machine meanwhile.</summary>
     public static string OwnerName => LeaseOwner.Describe("engraver", TimeProvider.System);
 
     /// <summary>The origins of the operator's machines; a simulated one ends with this process, and nothing is kept of it.</summary>
@@ -45,7 +45,7 @@ internal sealed class PlacementOptions
         return new OriginRequest.ActiveOrigin();
     }
 
-    /// <summary>A place typed as X,Y, mm; null when the text is none.</summary>
+    /// <summary>A place typed as X,Y, mm; null when the text is not a position.</summary>
     internal static Point2D? TryParsePosition(string word) =>
         word.Split(',') is [var first, var second] && NumberPrompt.TryParse(first, out var x) && NumberPrompt.TryParse(second, out var y) && double.IsFinite(x) && double.IsFinite(y) ? new Point2D(x, y) : null;
 }

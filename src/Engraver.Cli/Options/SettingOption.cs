@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
@@ -22,7 +23,7 @@ internal sealed class SettingOption : Option<string?>
         CompletionSources.Add([.. setting.OptionWords]);
         Validators.Add(result =>
         {
-            if (result is { Implicit: false, Tokens: [var typed] } && setting.WhyNotOption(typed.Value) is { } why) result.AddError($"{Name}: {why}");
+            if (result is { Implicit: false, Tokens: [var typed] } && setting.WhyNotOption(typed.Value) is { } why) result.AddError($"{TextCatalogue.Fact(Name)}: {why}");
         });
     }
 

@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>Finds a word that is written like an option and is none of the verb's. The library takes such a word for the file, and then blames the word
+/// <summary>Finds a word that is written like an option and does not belong to the verb. The library takes such a word for the file, and then blames the word
 /// after it.</summary>
 internal static class UnknownOption
 {

@@ -13,7 +13,7 @@ using Engraver.Workbench.Sidecars;
 namespace Engraver.Cli.Verbs;
 
 /// <summary>The services of every verb: streams, global options, and printing diagnostics and converting them to an exit code.</summary>
-internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, ConnectedMachine machine)
+internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, ConnectionGuard machine)
 {
     public TextWriter Out => streams.Out;
 
@@ -22,7 +22,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Con
     public TextReader In => streams.In;
 
     /// <summary>For a verb that connects to a machine and disconnects during its run; others are a <see cref="MachineCommand"/>.</summary>
-    public ConnectedMachine Machine => machine;
+    public ConnectionGuard Machine => machine;
 
     /// <summary>True on an interactive terminal.</summary>
     public bool Interactive => streams.Interactive;

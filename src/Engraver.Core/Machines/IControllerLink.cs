@@ -12,7 +12,7 @@ public interface IControllerLink : IAsyncDisposable
 
     /// <summary>Time at which the controller received the last written bytes, by its own clock: ticks of 100 ns since it was switched on. Null if
     /// unknown.</summary>
-    long? TakenTicks => null;
+    long? ReceivedTicks => null;
 
     /// <summary>The present time of the controller's own clock, in the same ticks; null if unknown.</summary>
     long? NowTicks => null;

@@ -4,7 +4,8 @@ namespace Engraver.Core.Verification;
 
 /// <summary>Largest distance of a span from the drawing, the length outside the drawing, and the segments near it, without stepping along it: a part is
 /// complete when it cannot contain a larger deviation than the known one.</summary>
-/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestDistance"/>), so that the work follows the number of joints under a span and
+/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestDistance"/>), so that the work follows the number of joints under a
+/// span and
 /// not its length. For curves, a part is evaluated at three places when it is short and over one piece or two neighbours, where the distance is
 /// smooth.</remarks>
 internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, DrawnCoverage coverage, TraceTolerances tolerances)

@@ -30,7 +30,7 @@ internal sealed class ControllerPreparation(ControllerSession session, MachinePr
     }
 
     /// <summary>First everything is switched off and cleared that another program may have left on or selected.</summary>
-    private List<string> Commands(int mark, JobFrame frame) =>
+    private List<string> Commands(int mark, JobCoordinates frame) =>
     [
         .. profile.OffAtAbort.Select(OperatorStop.SwitchOffCommand),
         "CAS",

@@ -114,7 +114,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
 
     /// <summary>The job is held, and what was in progress is given up.</summary>
     /// <param name="segments">Segments that are done, in the whole program.</param>
-    /// <param name="at">Where the machine is in the next one, job frame; null where it was not begun since something was last given up, as on the way
+    /// <param name="at">Where the machine is in the next one, job frame; null where it was not started since something was last given up, as on the way
     /// back.</param>
     public void GiveUp(int segments, CountsPoint? at)
     {

@@ -45,7 +45,7 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
         _isBegun = true;
     }
 
-    /// <summary>A job that has begun is not ended because its journal cannot be written: the part would be lost.</summary>
+    /// <summary>A job that has started is not ended because its journal cannot be written: the part would be lost.</summary>
     private void Write<T>(T line)
     {
         try

@@ -24,7 +24,7 @@ internal sealed class JobMachine
         var progress = new ProgressWatch(program.Profile);
         Commands = new JobCommands(session, order, ledger, progress);
         _reader = new StateReader(session, program.Profile.Axes, options.FollowedAxes, Commands, order);
-        Frame = new JobFrame(program, options);
+        Frame = new JobCoordinates(program, options);
         Tool = new JobTool(this, options.DryRun);
         var control = options.Control ?? new JobControl();
         Speed = new JobSpeed(this, control);
@@ -47,7 +47,7 @@ internal sealed class JobMachine
 
     public JobCommands Commands { get; }
 
-    public JobFrame Frame { get; }
+    public JobCoordinates Frame { get; }
 
     public JobTool Tool { get; }
 
@@ -185,7 +185,7 @@ internal sealed class JobMachine
         return Commands.SendAllAsync(ResidentServer.HaltCommands);
     }
 
-    /// <summary>Defines the job frame (<see cref="JobFrame.Take"/>).</summary>
+    /// <summary>Defines the job frame (<see cref="JobCoordinates.Take"/>).</summary>
     public async ValueTask TakeFrameAsync()
     {
         await PollAsync().ConfigureAwait(false);

@@ -16,7 +16,8 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SC of the first axis.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a rejected line of the resident program, 0 for none, <see cref="SupervisedProgram.EndedEarlyCode"/> for a motion
+/// <param name="ProgramError">errcode: TC code of a rejected line of the resident program, 0 for none, <see cref="SupervisedProgram.EndedEarlyCode"/> for a
+/// motion
 /// that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
 /// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
 /// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>

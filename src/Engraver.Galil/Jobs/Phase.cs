@@ -8,7 +8,7 @@ namespace Engraver.Galil.Jobs;
 /// <remarks>Not to be confused with <see cref="Core.Machines.JobPhase"/>, by which the operator sees whether the job is held.</remarks>
 internal sealed record Phase
 {
-    /// <summary>Nothing of the path is in progress, and this computer commands every motion.</summary>
+    /// <summary>No part of the path is in progress, and this computer commands every motion.</summary>
     public static Phase Idle { get; } = new();
 
     /// <summary>Compares a polled state with the planned motion: why the job ends, or null where the state is as planned. Null where nothing is
@@ -44,23 +44,4 @@ internal sealed record Phase
 
     /// <summary>Where a hold that is requested at this state takes effect.</summary>
     public HoldPoint HoldPointAt(in JobPoll state) => Program is not null ? HoldPoint.InProgram : state.SequenceRunning ? HoldPoint.OnPath : HoldPoint.AtGate;
-}
-
-/// <summary>Where a hold takes effect.</summary>
-internal enum HoldPoint
-{
-    /// <summary>The motion in progress is completed; the job waits before the next one (<see cref="JobHold.GateAsync"/>).</summary>
-    AtGate,
-
-    /// <summary>The path stops where it is (VR 0).</summary>
-    OnPath,
-
-    /// <summary>As on the path, and a program that is in a rapid waits at its own gate after it.</summary>
-    InProgram,
-}
-
-/// <summary>Ends a phase when it is disposed: the phase that was in force before is restored.</summary>
-internal readonly struct PhaseScope(JobMachine machine, Phase before) : IDisposable
-{
-    public void Dispose() => machine.Leave(before);
 }

@@ -62,7 +62,7 @@ internal sealed class CommandWire : IAsyncDisposable
     /// <summary>The first failure; null while there is none.</summary>
     public ControllerException? Failure => _failure;
 
-    /// <summary>Null for a link that is no serial line.</summary>
+    /// <summary>Null for a link that is not a serial line.</summary>
     public SerialLine? Line => _link.Line;
 
     /// <summary>Every command is compared with its echo.</summary>

@@ -27,10 +27,10 @@ public sealed class ConversationRecorder
     public string? Failure => _file.Failure;
 
     /// <summary>A link that records everything that is sent over the given one.</summary>
-    public IControllerLink Over(IControllerLink link)
+    public IControllerLink Record(IControllerLink link)
     {
         var number = Interlocked.Increment(ref _links) - 1;
-        Add(number, ConversationAct.Opened, default, link.NowTicks);
+        Add(number, ConversationEvent.Opened, default, link.NowTicks);
         return new RecordedLink(link, number, this);
     }
 
@@ -42,7 +42,7 @@ public sealed class ConversationRecorder
         return _file.CloseAsync(stop);
     }
 
-    private void Add(int link, ConversationAct act, ReadOnlySpan<byte> bytes, long? ticks)
+    private void Add(int link, ConversationEvent act, ReadOnlySpan<byte> bytes, long? ticks)
     {
         if (_file.Failure is not null) return;
         var said = bytes.ToArray();
@@ -62,16 +62,16 @@ public sealed class ConversationRecorder
         public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
         {
             var isTold = link.NowTicks is not null;
-            if (!isTold) recorder.Add(number, ConversationAct.Said, bytes.Span, ticks: null);
+            if (!isTold) recorder.Add(number, ConversationEvent.Said, bytes.Span, ticks: null);
             await link.WriteAsync(bytes, cancellation).ConfigureAwait(false);
-            if (isTold) recorder.Add(number, ConversationAct.Said, bytes.Span, link.TakenTicks);
+            if (isTold) recorder.Add(number, ConversationEvent.Said, bytes.Span, link.ReceivedTicks);
         }
 
         public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => link.ReadAsync(buffer, cancellation);
 
         public ValueTask DisposeAsync()
         {
-            if (Interlocked.Exchange(ref _closed, 1) == 0) recorder.Add(number, ConversationAct.Closed, default, link.NowTicks);
+            if (Interlocked.Exchange(ref _closed, 1) == 0) recorder.Add(number, ConversationEvent.Closed, default, link.NowTicks);
             return link.DisposeAsync();
         }
     }

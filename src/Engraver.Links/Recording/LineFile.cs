@@ -10,20 +10,20 @@ namespace Engraver.Links.Recording;
 internal sealed class LineFile
 {
     /// <summary>Maximum number of lines that wait for the file: about twenty minutes of a job, about twenty megabytes.</summary>
-    public const int MostWaiting = 1 << 18;
+    public const int MaxWaiting = 1 << 18;
 
     /// <summary>Wall time without progress after the operator's stop after which waiting for the reader ends.</summary>
-    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
+    public static readonly TimeSpan FlushTimeout = TimeSpan.FromSeconds(5);
 
     /// <summary>Wall time between two flushes: a compressed file grows with each of them.</summary>
     public static readonly TimeSpan FlushEvery = TimeSpan.FromSeconds(1);
 
-    private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MostWaiting) { SingleReader = true });
+    private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MaxWaiting) { SingleReader = true });
     private readonly TimeProvider _wall;
     private readonly Task _writing;
     private readonly bool _flushes;
     private volatile string? _failure;
-    private long _taken;
+    private long _writtenLines;
 
     /// <param name="writer">Owned: closed after the last line.</param>
     /// <param name="wall">The wall clock, for the waits for the reader.</param>
@@ -53,16 +53,16 @@ internal sealed class LineFile
         }
         catch (OperationCanceledException)
         {
-            await WhileTakenAsync().ConfigureAwait(false);
+            await AwaitProgressAsync().ConfigureAwait(false);
         }
     }
 
-    private async Task WhileTakenAsync()
+    private async Task AwaitProgressAsync()
     {
-        for (var before = -1L; !_writing.IsCompleted && before != Interlocked.Read(ref _taken);)
+        for (var before = -1L; !_writing.IsCompleted && before != Interlocked.Read(ref _writtenLines);)
         {
-            before = Interlocked.Read(ref _taken);
-            await Task.WhenAny(_writing, Task.Delay(Patience, _wall, CancellationToken.None)).ConfigureAwait(false);
+            before = Interlocked.Read(ref _writtenLines);
+            await Task.WhenAny(_writing, Task.Delay(FlushTimeout, _wall, CancellationToken.None)).ConfigureAwait(false);
         }
 
         if (!_writing.IsCompleted) Fail(Wording.Get("WireTrace.ReaderStopped"));
@@ -78,7 +78,7 @@ internal sealed class LineFile
                 while (_lines.Reader.TryRead(out var line))
                 {
                     writer.WriteLine(line);
-                    Interlocked.Increment(ref _taken);
+                    Interlocked.Increment(ref _writtenLines);
                 }
 
                 if (!_flushes || _wall.GetElapsedTime(flushed) < FlushEvery) continue;

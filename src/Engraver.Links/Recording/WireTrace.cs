@@ -8,7 +8,7 @@ namespace Engraver.Links.Recording;
 /// separate thread writes the lines (<see cref="LineFile"/>).</remarks>
 public sealed class WireTrace : IWireTrace
 {
-    internal const int MostWaiting = LineFile.MostWaiting;
+    internal const int MaxWaiting = LineFile.MaxWaiting;
 
     private readonly LineFile _file;
     private readonly TimeProvider _time;
@@ -26,7 +26,7 @@ public sealed class WireTrace : IWireTrace
     /// <summary>Why the trace ended early; null while all lines were written.</summary>
     public string? Failure => _file.Failure;
 
-    internal static TimeSpan Patience => LineFile.Patience;
+    internal static TimeSpan FlushTimeout => LineFile.FlushTimeout;
 
     /// <summary>Writes the waiting lines and closes the file.</summary>
     /// <param name="stop">The operator's stop: from then on the trace's reader is waited for only while it makes progress.</param>

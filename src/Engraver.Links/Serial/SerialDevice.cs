@@ -11,13 +11,13 @@ internal sealed class SerialDevice : IDisposable
 {
     private readonly SafeFileHandle _device;
     private readonly SafeFileHandle _bell;
-    private readonly Watched[] _watched;
+    private readonly PollDescriptor[] _watched;
 
     private SerialDevice(SafeFileHandle device, SafeFileHandle bell)
     {
         _device = device;
         _bell = bell;
-        _watched = [new Watched { File = (int)device.DangerousGetHandle() }, new Watched { File = (int)bell.DangerousGetHandle(), Wanted = PollIn }];
+        _watched = [new PollDescriptor { File = (int)device.DangerousGetHandle() }, new PollDescriptor { File = (int)bell.DangerousGetHandle(), Wanted = PollIn }];
     }
 
     /// <summary>Opens the device exclusively and sets the line. Bytes that another program left unread are dropped.</summary>
@@ -31,7 +31,7 @@ internal sealed class SerialDevice : IDisposable
         try
         {
             if (bell.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened"));
-            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.InUse", address.Device));
+            if (Lock(device, LockExclusive) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.InUse", address.Device));
             Configure(device, address);
             return new SerialDevice(device, bell);
         }
@@ -53,7 +53,7 @@ internal sealed class SerialDevice : IDisposable
             if (Marshal.GetLastPInvokeError() != Interrupted) return PollGone;
         }
 
-        if (_watched[1].Happened != 0) Silence();
+        if (_watched[1].Happened != 0) ResetBell();
         return _watched[0].Happened;
     }
 
@@ -73,7 +73,7 @@ internal sealed class SerialDevice : IDisposable
         {
             > 0 => (int)count,
             0 => throw new IOException(Wording.Get("SerialLink.DeviceDisconnected")),
-            _ => NothingOr(Marshal.GetLastPInvokeError()),
+            _ => ZeroOrThrow(Marshal.GetLastPInvokeError()),
         };
     }
 
@@ -82,7 +82,7 @@ internal sealed class SerialDevice : IDisposable
     public int Write(ReadOnlySpan<byte> bytes)
     {
         var count = SerialNative.Write(_device, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length);
-        return count >= 0 ? (int)count : NothingOr(Marshal.GetLastPInvokeError());
+        return count >= 0 ? (int)count : ZeroOrThrow(Marshal.GetLastPInvokeError());
     }
 
     /// <summary>Number of accepted bytes that are not sent yet; 0 if the device does not report it.</summary>
@@ -96,20 +96,20 @@ internal sealed class SerialDevice : IDisposable
     }
 
     /// <summary>True when closing sends the remaining bytes instead of dropping them; only for a line that has just accepted everything.</summary>
-    public bool KeepsUnsent { get; set; }
+    public bool DrainsOnClose { get; set; }
 
     /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept, because closing would wait for them, for a long time if the other
     /// side has stopped the flow.</summary>
     public void Dispose()
     {
-        if (!KeepsUnsent) _ = Control(_device, Flush, FlushBoth);
+        if (!DrainsOnClose) _ = Control(_device, Flush, FlushBoth);
         _device.Dispose();
         _bell.Dispose();
     }
 
     private static void Configure(SafeFileHandle device, SerialAddress address)
     {
-        var settings = default(LineSettings);
+        var settings = default(TerminalAttributes);
         if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.NotSerialLine"));
         settings = SerialSettings.Apply(settings, address.Baud, address.Flow);
         if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.CannotBeConfigured"));
@@ -118,13 +118,13 @@ internal sealed class SerialDevice : IDisposable
         _ = Control(device, Flush, FlushInput);
     }
 
-    private void Silence()
+    private void ResetBell()
     {
         ulong count = 0;
         _ = SerialNative.Read(_bell, ref MemoryMarshal.AsBytes(new Span<ulong>(ref count))[0], sizeof(ulong));
     }
 
-    private static int NothingOr(int error) =>
+    private static int ZeroOrThrow(int error) =>
         error is TryAgain or Interrupted ? 0 : throw new IOException(Marshal.GetPInvokeErrorMessage(error));
 
     private static ControllerLinkException Failure(SerialAddress address, string what) =>

@@ -10,7 +10,7 @@ namespace Engraver.Links.Serial;
 /// and writes end with an <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
 public sealed class SerialLink : IControllerLink
 {
-    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(10);
+    private static readonly TimeSpan s_pollInterval = TimeSpan.FromMilliseconds(10);
 
     private readonly SerialDevice _device;
     private readonly TimeProvider _time;
@@ -50,7 +50,7 @@ public sealed class SerialLink : IControllerLink
     {
         ArgumentNullException.ThrowIfNull(address);
         ArgumentNullException.ThrowIfNull(time);
-        if (!SerialSettings.Knows(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a serial line");
+        if (!SerialSettings.IsSupported(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a serial line");
         if (WhyUnsupported is { } why) throw new PlatformNotSupportedException(why);
         return new SerialLink(SerialDevice.Open(address), address, writeTimeout, time);
     }
@@ -78,10 +78,10 @@ public sealed class SerialLink : IControllerLink
         {
             if (unsent < least) (least, since) = (unsent, _time.GetTimestamp());
             else if (_time.GetElapsedTime(since) > _writeTimeout) throw new IOException(Wording.Get("SerialLink.NothingAccepted", _writeTimeout.TotalSeconds));
-            await Task.Delay(s_look, _time, cancellation).ConfigureAwait(false);
+            await Task.Delay(s_pollInterval, _time, cancellation).ConfigureAwait(false);
         }
 
-        _device.KeepsUnsent = true;
+        _device.DrainsOnClose = true;
     }
 
     public async ValueTask DisposeAsync()
@@ -125,7 +125,7 @@ public sealed class SerialLink : IControllerLink
     {
         try
         {
-            while (CarryOn(out var toSend)) Serve(_device.Wait(toSend));
+            while (TryContinue(out var toSend)) HandleEvents(_device.Wait(toSend));
         }
         catch (IOException gone)
         {
@@ -137,7 +137,7 @@ public sealed class SerialLink : IControllerLink
         _ended.TrySetResult();
     }
 
-    private bool CarryOn(out bool toSend)
+    private bool TryContinue(out bool toSend)
     {
         lock (_gate)
         {
@@ -147,9 +147,9 @@ public sealed class SerialLink : IControllerLink
     }
 
     /// <summary>Handles events; bytes received before a hang-up are still read.</summary>
-    private void Serve(short happened)
+    private void HandleEvents(short happened)
     {
-        if ((happened & SerialNative.PollOut) != 0) TellRoom(null);
+        if ((happened & SerialNative.PollOut) != 0) SignalRoom(null);
         while ((happened & SerialNative.PollIn) != 0 && _device.Read(_received.Writer.GetSpan(512)) is > 0 and var count)
         {
             _received.Writer.Advance(count);
@@ -170,10 +170,10 @@ public sealed class SerialLink : IControllerLink
             _device.Ring();
         }
 
-        TellRoom(failure);
+        SignalRoom(failure);
     }
 
-    private void TellRoom(IOException? failure)
+    private void SignalRoom(IOException? failure)
     {
         TaskCompletionSource? waiting;
         lock (_gate)

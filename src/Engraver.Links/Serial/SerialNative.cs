@@ -22,7 +22,7 @@ internal static class SerialNative
     public const int OpenFlags = 0x2 | 0x100 | 0x800 | 0x80000;
 
     /// <summary>LOCK_EX and LOCK_NB.</summary>
-    public const int LockForUs = 2 | 4;
+    public const int LockExclusive = 2 | 4;
 
     public const nuint GetSettings = 0x5401;
     public const nuint SetSettings = 0x5402;
@@ -47,7 +47,7 @@ internal static class SerialNative
     public static extern int Lock(SafeFileHandle file, int operation);
 
     [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
-    public static extern int Control(SafeFileHandle file, nuint request, ref LineSettings settings);
+    public static extern int Control(SafeFileHandle file, nuint request, ref TerminalAttributes settings);
 
     [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
     public static extern int Control(SafeFileHandle file, nuint request, nint argument);
@@ -62,11 +62,11 @@ internal static class SerialNative
     public static extern nint Write(SafeFileHandle file, ref byte bytes, nuint count);
 
     [DllImport("libc", EntryPoint = "poll", SetLastError = true)]
-    public static extern int Poll([In, Out] Watched[] files, nuint count, int milliseconds);
+    public static extern int Poll([In, Out] PollDescriptor[] files, nuint count, int milliseconds);
 
     /// <summary>struct pollfd.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public struct Watched
+    public struct PollDescriptor
     {
         public int File;
         public short Wanted;
@@ -75,7 +75,7 @@ internal static class SerialNative
 
     /// <summary>struct termios of the kernel (asm-generic, TCGETS): 36 bytes. Three words hold the control characters; the first seven are used.</summary>
     [StructLayout(LayoutKind.Sequential, Size = 36)]
-    public struct LineSettings
+    public struct TerminalAttributes
     {
         public uint Input;
         public uint Output;

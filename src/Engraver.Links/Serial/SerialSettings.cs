@@ -21,9 +21,9 @@ internal static class SerialSettings
     private const uint HardwareFlow = 0x80000000; // CRTSCTS
 
     /// <summary>The supported rates: those of a controller, and lower ones for controls that receive programs as plain text.</summary>
-    public static bool Knows(int baud) => baud is 110 or 300 or 600 or 2400 or 4800 || SerialLine.Rates.Contains(baud);
+    public static bool IsSupported(int baud) => baud is 110 or 300 or 600 or 2400 or 4800 || SerialLine.Rates.Contains(baud);
 
-    public static LineSettings Apply(LineSettings found, int baud, SerialFlow flow) => found with
+    public static TerminalAttributes Apply(TerminalAttributes found, int baud, SerialFlow flow) => found with
     {
         Input = (found.Input & ~(InputTransforms | InputFlow)) | (flow == SerialFlow.XonXoff ? InputXonXoff : 0),
         Output = found.Output & ~OutputTransforms,
@@ -36,7 +36,7 @@ internal static class SerialSettings
     };
 
     /// <summary>True when the device has accepted the rate.</summary>
-    public static bool HasRate(LineSettings settings, int baud) => (settings.Control & RateMask) == Rate(baud);
+    public static bool HasRate(TerminalAttributes settings, int baud) => (settings.Control & RateMask) == Rate(baud);
 
     /// <summary>The kernel's code for a rate (B1200 and so on).</summary>
     private static uint Rate(int baud) => baud switch

@@ -66,7 +66,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
             case XEventType.MapNotify:
                 Queue(window.OnMapped);
                 break;
-            case XEventType.DestroyNotify: // destroyed by another program; after our own destruction nobody listens
+            case XEventType.DestroyNotify: // destroyed by another program; after its own destruction the window receives no events
                 Queue(window.Dispose);
                 break;
             case XEventType.ClientMessage when received.MessageType == desktop.Atoms.WmProtocols:

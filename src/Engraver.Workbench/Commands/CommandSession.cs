@@ -32,7 +32,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Beside = new BesideCommands(this, _frames);
+        Concurrent = new ConcurrentCommands(this, _frames);
         Machine = new MachineSession(environment.Time, MachineMemories.FolderIn(environment.RunJournalFolder), families: environment.Families);
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
@@ -87,7 +87,7 @@ public sealed class CommandSession : IAsyncDisposable
     public string? RepeatableCommand => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
 
     /// <summary>The commands that run beside the one at work.</summary>
-    public BesideCommands Beside { get; }
+    public ConcurrentCommands Concurrent { get; }
 
     /// <summary>Handles inputs typed while a command works.</summary>
     public TypeAheadBuffer TypeAhead { get; }
@@ -108,7 +108,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         get
         {
-            if (Beside.Asking is { Pending: { } question } beside) return View(beside, "", question.Prompt);
+            if (Concurrent.PromptingFrame is { Pending: { } question } beside) return View(beside, "", question.Prompt);
             return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.PromptPrefix, asks.Prompt) : PromptView.Idle;
 
             PromptView View(CommandFrame frame, string before, Prompt asks) =>
@@ -170,7 +170,7 @@ public sealed class CommandSession : IAsyncDisposable
     private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
         Environment.Journal?.WriteLine(ScriptText.Write(input));
-        if (Beside.Asks || Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
+        if (Concurrent.HasPrompt || Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Concurrent.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
         try
         {
             var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
@@ -188,7 +188,7 @@ public sealed class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterNestedAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
-        if (Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Beside.EnterAsync(command, cancellation).ConfigureAwait(false));
+        if (Interlocked.Exchange(ref _isEntering, 1) != 0) return ReportFailure(await Concurrent.EnterAsync(command, cancellation).ConfigureAwait(false));
         try
         {
             Environment.Journal?.WriteLine("'" + command);
@@ -223,7 +223,7 @@ public sealed class CommandSession : IAsyncDisposable
     /// the result.</summary>
     public async Task CancelAsync()
     {
-        if (await Beside.EndAsync().ConfigureAwait(false)) return;
+        if (await Concurrent.EndAsync().ConfigureAwait(false)) return;
         if (IsBusy)
         {
             _scripts.Clear();
@@ -247,7 +247,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        await Beside.EndAsync().ConfigureAwait(false);
+        await Concurrent.EndAsync().ConfigureAwait(false);
         await EndAllAsync().ConfigureAwait(false);
         _events.Dispose();
         Derivation.Dispose();
@@ -272,7 +272,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (_frames.Top is { Pending: null }) return await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false);
+        if (_frames.Top is { Pending: null }) return await Concurrent.EnterAsync(input, cancellation, shown).ConfigureAwait(false);
         Echo(shown ?? input);
         if (_frames.Top is not { } frame) return await StartCommandAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.AllowsSpaces: true }) return await StartNestedAsync(frame, input, cancellation).ConfigureAwait(false);

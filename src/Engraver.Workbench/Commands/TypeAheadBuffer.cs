@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Commands;
 
 /// <summary>Inputs typed while a command works: they run in order after it has succeeded. None of them may act on the machine, because the operator may no
 /// longer watch it when they run.</summary>
-/// <remarks>Whoever feeds the session asks <see cref="BesideCommands.Takes"/> and <see cref="RefusalOf"/> when an input is typed, and hands it to
+/// <remarks>The caller of the session asks <see cref="ConcurrentCommands.Accepts"/> and <see cref="RefusalOf"/> when an input is typed, and hands it to
 /// <see cref="EnterAsync"/>.</remarks>
 public sealed class TypeAheadBuffer(CommandSession session)
 {
@@ -21,7 +21,7 @@ public sealed class TypeAheadBuffer(CommandSession session)
     {
         ArgumentNullException.ThrowIfNull(input);
         if (input.Trim().Length == 0) return Wording.Get("TypedAhead.EnterAlone");
-        if (session.IsMachineBusy) return session.Beside.WhyNot(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
+        if (session.IsMachineBusy) return session.Concurrent.WhyNot(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
         return FindFirstWord(input) is { } command && CanMoveMachine(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
     }
 

@@ -140,15 +140,15 @@ public sealed class IncidentReplay : IAsyncDisposable
 
     private async Task ExecuteAsync(ConversationStep step)
     {
-        switch (step.Act)
+        switch (step.Event)
         {
-            case ConversationAct.Opened:
+            case ConversationEvent.Opened:
                 _links[step.Link] = _controller.OpenConnection();
                 break;
-            case ConversationAct.Said when _links.GetValueOrDefault(step.Link) is { } link:
+            case ConversationEvent.Said when _links.GetValueOrDefault(step.Link) is { } link:
                 await SendAsync(link, step.Bytes).ConfigureAwait(false);
                 break;
-            case ConversationAct.Closed when _links.Remove(step.Link, out var closed):
+            case ConversationEvent.Closed when _links.Remove(step.Link, out var closed):
                 await closed.DisposeAsync().ConfigureAwait(false);
                 break;
         }

@@ -22,10 +22,10 @@ public sealed class MachineClock : IDisposable
     public static MachineClock FromSimulator(HostClock clock) => new(clock, clock, null);
 
     /// <param name="clock">Owned: released with this object.</param>
-    public static MachineClock FromOffer(OfferedClock clock)
+    public static MachineClock FromOffer(SharedClock clock)
     {
         ArgumentNullException.ThrowIfNull(clock);
-        return new(clock, clock, clock.Heard);
+        return new(clock, clock, clock.Invalidate);
     }
 
     /// <summary>Performs the handshake with a machine using this clock, without recording the conversation.</summary>
@@ -44,7 +44,7 @@ public sealed class MachineClock : IDisposable
             async stop =>
             {
                 var link = Wrap(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
-                return conversation is null ? link : conversation.Recorder.Over(link);
+                return conversation is null ? link : conversation.Recorder.Record(link);
             },
             trace?.Wire,
             Time,

@@ -100,8 +100,8 @@ public sealed class MachineConnection : IAsyncDisposable
     private static StreamLink LinkTo(SimulatedController controller)
     {
         var taken = 0L;
-        return new StreamLink(controller.OpenConnection(ticks => Volatile.Write(ref taken, ticks)), "sim:") { Taken = () => Volatile.Read(ref taken), Now = () => controller.ClockTicks };
+        return new StreamLink(controller.OpenConnection(ticks => Volatile.Write(ref taken, ticks)), "sim:") { Received = () => Volatile.Read(ref taken), Now = () => controller.ClockTicks };
     }
 
-    private static MachineClock ClockFor(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
+    private static MachineClock ClockFor(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(SharedClock.Acquire(port)) : MachineClock.FromWall(wall);
 }

@@ -23,14 +23,14 @@ public sealed class HandMoves
     public OperatorPresence Presence { get; }
 
     /// <summary>The names of the work origins that a homing would lose now.</summary>
-    public IReadOnlyList<string> HomingForgets => _machine.Lease is { } lease ? MachineHoming.OriginsLost(lease.Memory, lease.IsZeroKnown, _status.Profile) : [];
+    public IReadOnlyList<string> OriginsLostByHoming => _machine.Lease is { } lease ? MachineHoming.OriginsLost(lease.Memory, lease.IsZeroKnown, _status.Profile) : [];
 
     /// <summary>The notice before a move by hand on a machine that is not homed; null for any other.</summary>
     public string? UnhomedNotice => _machine.IsHomed == false ? Wording.Get("HandMotion.NotHomed", HandSpeed.Max(_status.Profile, isHomed: false)) : null;
 
     /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job is held. It brakes when the jog is released or
     /// the operator gives no signs of life (<see cref="Presence"/>), by a stop, and 0.25 s after the last sign of this program.</summary>
-    /// <param name="jog">Begun by <see cref="Presence"/> when the key went down.</param>
+    /// <param name="jog">Started by <see cref="Presence"/> when the key went down.</param>
     /// <param name="journal">Path of the journal to which the state found in the controller is written.</param>
     /// <returns>How it ended; complete when it was released or came to the end of the travel.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>

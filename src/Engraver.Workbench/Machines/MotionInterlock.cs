@@ -13,7 +13,7 @@ namespace Engraver.Workbench.Machines;
 /// <para>A connection ends after its motion: <see cref="EndAsync"/> stops the motion and waits for its end before the connection is closed.</para>
 /// </remarks>
 /// <param name="over">Called when a motion has ended, in whatever way, before the caller of <see cref="RunAsync{T}"/> continues.</param>
-/// <param name="changed">Called when a motion has begun and when it is over.</param>
+/// <param name="changed">Called when a motion has started and when it has ended.</param>
 internal sealed class MotionInterlock(Action over, Action changed)
 {
     private readonly Lock _guard = new();

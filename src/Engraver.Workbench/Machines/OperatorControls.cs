@@ -37,7 +37,7 @@ public sealed class OperatorControls
     public bool Stop(string? reason = null)
     {
         if (reason is not null && Job is { } control) control.StopReason = reason;
-        var (job, watch) = AtWork();
+        var (job, watch) = HandlesToStop();
         if (job is not null) UrgentThread.Run(job.Cancel);
         else if (watch is not null) _machine.Watched.RunUrgently(watch, one => one.StopAsync(_status.Profile.OffAtStop));
         _status.StopSent();
@@ -50,7 +50,7 @@ public sealed class OperatorControls
     /// <returns>False when nothing could be sent beside a job, so that the motors stay as they are.</returns>
     public bool Abort()
     {
-        var (job, watch) = AtWork();
+        var (job, watch) = HandlesToStop();
         if (watch is not null) _machine.Watched.RunUrgently(watch, one => one.AbortAsync(_status.Profile.OffAtAbort));
         if (job is not null) UrgentThread.Run(job.Cancel);
         _status.StopSent();
@@ -115,7 +115,7 @@ public sealed class OperatorControls
         return true;
     }
 
-    private (CancellationTokenSource? Job, MachinePoller? Watch) AtWork()
+    private (CancellationTokenSource? Job, MachinePoller? Watch) HandlesToStop()
     {
         _status.StopRequested();
         var watch = _machine.Watched.Watch;

@@ -28,7 +28,7 @@ public sealed class ReadyJogs
     {
         ArgumentNullException.ThrowIfNull(held);
         if (_controls.IsHeld) return await _hand.JogAsync(held, journal, CancellationToken.None).ConfigureAwait(false); // a job that is held needs no preparation
-        if (_interlock.Ready is { } kept && kept.Profile == _status.Profile && TakeUp(kept, held.Control) is { } jog) return await EndedAsync(kept, jog).ConfigureAwait(false);
+        if (_interlock.Ready is { } kept && kept.Profile == _status.Profile && StartJog(kept, held.Control) is { } jog) return await EndedAsync(kept, jog).ConfigureAwait(false);
         var ready = await BeginAsync(held.Control, journal).ConfigureAwait(false);
         return await EndedAsync(ready, ready.First!).ConfigureAwait(false);
     }
@@ -85,7 +85,7 @@ public sealed class ReadyJogs
 
     /// <summary>The next press on a machine that is ready.</summary>
     /// <returns>Null when it is no longer ready.</returns>
-    private Task<JobResult>? TakeUp(StandbyMachine ready, JogControl control)
+    private Task<JobResult>? StartJog(StandbyMachine ready, JogControl control)
     {
         if (_machine.Lease?.NoteMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
         if (ready.Standby.Press(control) is not { } jog) return null;

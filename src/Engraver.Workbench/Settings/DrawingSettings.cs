@@ -27,20 +27,20 @@ public sealed record DrawingSettings
     /// <summary>Layers left out.</summary>
     public IReadOnlyList<string> SkippedLayers { get; init; } = [];
 
-    /// <summary>Ends this close are one point, mm.</summary>
+    /// <summary>Maximum gap for joining end points, mm.</summary>
     public double JoinToleranceMm { get; init; } = 0.01;
 
-    /// <summary>How far a chord may stand off its curve, mm.</summary>
+    /// <summary>Maximum distance of a chord from its curve, mm.</summary>
     public double MaxErrorMm { get; init; } = 0.001;
 
-    /// <summary>Drawing point where the tool stands when the job starts, mm.</summary>
+    /// <summary>Drawing point at which the tool is when the job starts, mm.</summary>
     public Point2D Start { get; init; }
 
     /// <summary>Where the machine goes behind the last stroke, tool off.</summary>
     public FinishPlace Finish { get; init; }
 
     /// <summary>Where cutting must begin; null: free choice.</summary>
-    public EntryPoint? Enter { get; init; }
+    public ContourEntry? Enter { get; init; }
 
     public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
 

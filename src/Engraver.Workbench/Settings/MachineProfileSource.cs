@@ -12,7 +12,7 @@ public static class MachineProfileSource
     /// <summary>The profile of a file.</summary>
     /// <param name="families">The controller families that it may name.</param>
     /// <param name="tell">Receives the warnings: settings that contradict each other.</param>
-    /// <exception cref="SettingException">The file cannot be read or is no machine profile; the message says where and why.</exception>
+    /// <exception cref="SettingException">The file cannot be read or is not a machine profile; the message states where and why.</exception>
     public static MachineProfile Load(string path, MachineFamilies families, Action<Diagnostic> tell)
     {
         ArgumentNullException.ThrowIfNull(tell);

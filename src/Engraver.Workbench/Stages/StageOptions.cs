@@ -47,11 +47,11 @@ public static class StageOptions
         return options with { JoinTolerance = kerf.HasOpenContours ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null };
     }
 
-    private static EntryRequest? Entering(Drawing drawing, EntryPoint? place) => place switch
+    private static EntryRequest? Entering(Drawing drawing, ContourEntry? place) => place switch
     {
         null => null,
-        EntryPoint.ByPoint point => new EntryRequest.AtPlace(point.Point),
-        EntryPoint.ByHandle handle => new EntryRequest.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
+        ContourEntry.ByPoint point => new EntryRequest.AtPlace(point.Point),
+        ContourEntry.ByHandle handle => new EntryRequest.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
         _ => throw new UnreachableException(),
     };
 }

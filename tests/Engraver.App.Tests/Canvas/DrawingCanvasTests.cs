@@ -174,7 +174,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         view.Change(state => state with { Ortho = true, DynamicInput = false });
         hands.MovePointer(new Point(330, 280));
         heard.Aim = new PointRequest(PointPurpose.Place, new Point2D(-120.0, -100.0));
-        canvas.Pointing.TakeAim();
+        canvas.Pointing.UpdatePointRequest();
         Draw();
 
         Assert.Contains(Enumerable.Range(100, 60), x => hands.PixelAt(x, 249) != Color.FromUInt32(CanvasTheme.Dark.Background) || hands.PixelAt(x, 250) != Color.FromUInt32(CanvasTheme.Dark.Background));
@@ -237,7 +237,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.MovePointer(new Point(230, 110));
         Assert.Equal("", canvas.Pointing.Tip);
         heard.Aim = PointRequest.Place;
-        canvas.Pointing.TakeAim();
+        canvas.Pointing.UpdatePointRequest();
         Assert.Equal("Specify a place:\n30.0000, 40.0000", canvas.Pointing.Tip);
         Draw();
         Assert.NotEqual(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(230 + 18, 110 + 30));
@@ -275,15 +275,15 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         heard.Aim = null;
         heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 30.0), new Point2D(100.0, 30.0))];
-        canvas.Pointing.TakeAim();
+        canvas.Pointing.UpdatePointRequest();
         fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 30.0 }], s_patience);
         Draw();
         Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
         heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 20.0), new Point2D(100.0, 20.0))];
-        canvas.Pointing.TakeAim();
+        canvas.Pointing.UpdatePointRequest();
         fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 20.0 }], s_patience);
         heard.Preview = null;
-        canvas.Pointing.TakeAim();
+        canvas.Pointing.UpdatePointRequest();
 
         Assert.Empty(canvas.Pointing.Ghost);
     });

@@ -141,7 +141,7 @@ public sealed class ConcurrentCommandTests(DesktopFixture fixture)
     public Task Escape_ends_what_was_typed_before_it_however_far_that_has_come() => fixture.WithOperator(here =>
     {
         Start(here);
-        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.Queue.TypeAsync(word); // nothing of it is worked on before Esc
+        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.Queue.TypeAsync(word); // no part of it is processed before Esc
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Queue.Cancelled.IsCompleted && here.Commands.Machine.Status.State == MachineState.Held);
         Type(here, "id", "1,2");

@@ -237,7 +237,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task What_the_window_says_stands_behind_what_the_session_said_before() => fixture.WithOperator(here =>
     {
         Task.Run(() => here.Commands.EnterAsync("nonsense", CancellationToken.None)).Wait(); // sent, but not delivered while this thread waits
-        here.Desk.Notifications.Say(MessageKind.Warning, "behind it");
+        here.Desk.Notifications.Write(MessageKind.Warning, "behind it");
         here.Step();
 
         Assert.Equal("behind it", here.History.Last());

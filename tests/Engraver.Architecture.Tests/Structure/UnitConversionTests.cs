@@ -10,7 +10,7 @@ public partial class UnitConversionTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/Structure/units.txt";
 
-    private static readonly string[] s_homes = ["src/Engraver.Core/Machines/CountsScale.cs", "src/Engraver.Core/Drawings/DrawingScale.cs"];
+    private static readonly string[] s_homes = ["src/Engraver.Core/Machines/AxisScale.cs", "src/Engraver.Core/Machines/CountsScale.cs", "src/Engraver.Core/Drawings/DrawingScale.cs"];
 
     private static readonly Lazy<IReadOnlyList<Finding>> s_found = new(() => [.. Product().SelectMany(Find)]);
 

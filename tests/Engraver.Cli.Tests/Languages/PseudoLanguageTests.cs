@@ -34,7 +34,7 @@ public class PseudoLanguageTests
         try
         {
             using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null);
-            var root = EngraverCommandLine.Build(streams, new GlobalOptions(), new ConnectedMachine());
+            var root = EngraverCommandLine.Build(streams, new GlobalOptions(), new ConnectionGuard());
             var described = Symbols(root).Where(symbol => symbol is not (HelpOption or VersionOption)).ToList();
 
             Assert.InRange(described.Count, 80, 1000);

@@ -28,7 +28,7 @@ public sealed class SettingOptionTests
     public void Each_option_has_its_help_its_place_on_the_page_and_its_completion(string key)
     {
         var setting = SettingTable.Find(key)!;
-        var root = EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectedMachine());
+        var root = EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectionGuard());
         var plan = root.Subcommands.Single(verb => verb.Name == "plan");
         var option = plan.Options.Single(one => one.Name == setting.Option);
 

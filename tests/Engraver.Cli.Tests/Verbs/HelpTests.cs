@@ -60,7 +60,7 @@ public sealed partial class HelpTests
 
     private static IEnumerable<Command> All(Command command) => command.Subcommands.SelectMany(All).Prepend(command);
 
-    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectedMachine());
+    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectionGuard());
 
     [GeneratedRegex("(?<=[` (\\[|/])--[a-z][a-z-]+[a-z]")]
     private static partial Regex OptionName();

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Tests.Verbs;
 
@@ -63,11 +64,15 @@ public class NumberOptionTests
     {
         foreach (var option in command.Options)
         {
-            if ((Nullable.GetUnderlyingType(option.ValueType) ?? option.ValueType) is { IsPrimitive: true } type && type != typeof(bool) && path.Length > 0) yield return (path, option);
+            var isNumber = (Nullable.GetUnderlyingType(option.ValueType) ?? option.ValueType) is { IsPrimitive: true } type && type != typeof(bool);
+            if (path.Length > 0 && (isNumber || IsNumberSetting(option))) yield return (path, option);
         }
 
         foreach (var (words, option) in command.Subcommands.SelectMany(verb => All(verb, path.Length == 0 ? verb.Name : $"{path} {verb.Name}"))) yield return (words, option);
     }
 
-    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectedMachine());
+    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new ConnectionGuard());
+
+    /// <summary>An option of a setting is a text, which the setting reads.</summary>
+    private static bool IsNumberSetting(Option option) => SettingTable.All.Any(setting => setting is NumberSetting && setting.Option == option.Name);
 }

@@ -41,7 +41,7 @@ public class TrajectoryVerbTests
 
         Assert.Equal("xps-spline", list.RootElement.GetProperty("format").GetString());
         Assert.Equal(50.0, one.GetProperty("start").GetProperty("y").GetDouble());
-        Assert.InRange(one.GetProperty("start").GetProperty("x").GetDouble(), 89.999, 90.001); // the quadrant nearest to 0,0; points stand a little beside the curve
+        Assert.InRange(one.GetProperty("start").GetProperty("x").GetDouble(), 89.999, 90.001); // the quadrant nearest to 0,0; points are a little beside the curve
         Assert.Equal("0,0,0", (await File.ReadAllLinesAsync(folder.PathOf("out/" + one.GetProperty("file").GetString())))[1]);
     }
 

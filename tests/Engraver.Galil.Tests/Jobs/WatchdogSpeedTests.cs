@@ -34,7 +34,7 @@ public class WatchdogSpeedTests
         using var patience = new CancellationTokenSource(s_patience);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed == "max" ? double.PositiveInfinity : double.Parse(speed, CultureInfo.InvariantCulture) });
         var place = await controller.ListenTcpAsync(0, patience.Token);
-        var clock = OfferedClock.Take((await controller.ListenClockAsync(patience.Token)).Port);
+        var clock = SharedClock.Acquire((await controller.ListenClockAsync(patience.Token)).Port);
         var host = new DyingHost();
         var died = 0L;
         var death = new CancelWhen(progress => progress.X > 5000, () =>
@@ -43,7 +43,7 @@ public class WatchdogSpeedTests
             host.Die();
         });
         await using var session = await ControllerSession.OpenAsync(
-            async cancellation => host.Over(new ClockedLink(await TcpLink.ConnectAsync("127.0.0.1", place.Port, s_patience, TimeProvider.System, cancellation), clock.Heard)), new SessionOptions(), clock, patience.Token);
+            async cancellation => host.Over(new ClockedLink(await TcpLink.ConnectAsync("127.0.0.1", place.Port, s_patience, TimeProvider.System, cancellation), clock.Invalidate)), new SessionOptions(), clock, patience.Token);
 
         var result = await JobRunner.RunAsync(MotionPrograms.LongLine(400000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, death, patience.Token).WaitAsync(patience.Token);
         clock.Dispose(); // the end of the process closes its connection to the clock

@@ -12,9 +12,9 @@ public class ConversationTests
     {
         var (time, text) = (new ManualTimeProvider(), new StringWriter { NewLine = "\n" });
         var recorder = new ConversationRecorder(text, time, ConversationClock.Wall, time);
-        await using var first = recorder.Over(new SilentLink());
+        await using var first = recorder.Record(new SilentLink());
         time.Advance(TimeSpan.FromTicks(12_345));
-        var second = recorder.Over(new SilentLink());
+        var second = recorder.Record(new SilentLink());
         byte[] every = [.. Enumerable.Range(0, 256).Select(value => (byte)value)];
         await first.WriteAsync("DL\r#A\\"u8.ToArray(), CancellationToken.None);
         time.Advance(TimeSpan.FromMilliseconds(1));
@@ -26,8 +26,8 @@ public class ConversationTests
 
         Assert.Equal((false, true), (back.IsControllersClock, back.IsWhole));
         Assert.Equal(
-            [(0L, 0, ConversationAct.Opened), (12_345L, 1, ConversationAct.Opened), (12_345L, 0, ConversationAct.Said), (22_345L, 1, ConversationAct.Said), (22_345L, 1, ConversationAct.Closed)],
-            back.Steps.Select(step => (step.Ticks, step.Link, step.Act)));
+            [(0L, 0, ConversationEvent.Opened), (12_345L, 1, ConversationEvent.Opened), (12_345L, 0, ConversationEvent.Said), (22_345L, 1, ConversationEvent.Said), (22_345L, 1, ConversationEvent.Closed)],
+            back.Steps.Select(step => (step.Ticks, step.Link, step.Event)));
         Assert.Equal(every, back.Steps[3].Bytes);
         Assert.Contains("12345 0 > DL\\r#A\\\\\n", text.ToString(), StringComparison.Ordinal);
     }

@@ -33,7 +33,7 @@ public class WireTraceTests
         await stop.CancelAsync();
         while (!closing.IsCompleted)
         {
-            _time.Advance(WireTrace.Patience);
+            _time.Advance(WireTrace.FlushTimeout);
             await Task.Yield();
         }
 
@@ -46,7 +46,7 @@ public class WireTraceTests
     {
         var stalled = new StalledWriter();
         var trace = new WireTrace(stalled, _time);
-        for (var line = 0; line <= WireTrace.MostWaiting + 1; line++) trace.Write("A", '>', "STS");
+        for (var line = 0; line <= WireTrace.MaxWaiting + 1; line++) trace.Write("A", '>', "STS");
         await stalled.DisposeAsync();
         await trace.CloseAsync(CancellationToken.None);
 

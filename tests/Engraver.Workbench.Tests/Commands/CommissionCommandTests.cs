@@ -18,7 +18,7 @@ public class CommissionCommandTests
         "", "", "", "", "", "", "", "", "", "", "", "High", "No", "", .. s_errorLimits,
         "", "2000", "1000", "Yes", "Left", "Yes", "Yes", "Back", "Yes", // A counts to the left
         "", "20000", "10000", "Yes", "5", "Yes", "", "Yes", "", "Yes", // A has 2000 counts/mm
-        "", "", "Yes", "Right", "Front", // the F lies on its side
+        "", "", "Yes", "Right", "Front", // the F is on its side
         "", "3", "Yes", "Yes",
         "Yes", "mine.json", "No",
     ];

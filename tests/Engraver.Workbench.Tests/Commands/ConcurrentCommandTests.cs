@@ -111,7 +111,7 @@ public sealed class ConcurrentCommandTests : IAsyncDisposable
         {
             var result = await EnterAsync(info.Name);
             Assert.True(info.CanRunConcurrently == result is not InputResult.NotAccepted, $"{info.Name}: {result}");
-            await _session.Beside.EndAsync();
+            await _session.Concurrent.EndAsync();
         }
 
         Assert.Same(before, _session.Document.Current);
@@ -158,13 +158,13 @@ public sealed class ConcurrentCommandTests : IAsyncDisposable
         var answering = EnterAsync("0,0");
         Assert.Null(_session.Prompt.Command);
         Assert.False(answering.IsCompleted);
-        var ending = _session.Beside.EndAsync();
+        var ending = _session.Concurrent.EndAsync();
         _look.LetGo();
 
         Assert.True(await ending.WaitAsync(_limit.Token));
         Assert.IsType<InputResult.Cancelled>(await answering.WaitAsync(_limit.Token));
         Assert.Null(_session.Prompt.Command);
-        Assert.False(_session.Beside.Asks);
+        Assert.False(_session.Concurrent.HasPrompt);
         Assert.True(_session.IsBusy);
         _work.LetGo();
         Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
@@ -178,7 +178,7 @@ public sealed class ConcurrentCommandTests : IAsyncDisposable
         var working = EnterAsync("WORK");
         var counting = Task.Run(() => EnterAsync("COUNT"));
         await _count.Begun.WaitAsync(_limit.Token);
-        var ending = _session.Beside.EndAsync();
+        var ending = _session.Concurrent.EndAsync();
         Assert.False(ending.IsCompleted);
         _count.LetGo();
 

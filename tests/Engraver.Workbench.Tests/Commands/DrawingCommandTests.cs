@@ -144,7 +144,7 @@ public class DrawingCommandTests
     {
         await using var talk = CommandTestSession.WithDrawing();
         await talk.TypeAsync("ENTER", "20,8");
-        Assert.Equal(new EntryPoint.ByHandle("A3"), talk.State.Settings.Enter);
+        Assert.Equal(new ContourEntry.ByHandle("A3"), talk.State.Settings.Enter);
         await talk.TypeAsync("ERASE", "H", "A3", "");
 
         Assert.Null(talk.State.Settings.Enter);

@@ -56,5 +56,5 @@ public class EnteringEntityTests
         return talk;
     }
 
-    private static string? Entered(CommandTestSession talk) => (talk.State.Settings.Enter as EntryPoint.ByHandle)?.Handle;
+    private static string? Entered(CommandTestSession talk) => (talk.State.Settings.Enter as ContourEntry.ByHandle)?.Handle;
 }

@@ -9,7 +9,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Documents;
 
-/// <summary>A drawing gets its unit when it is opened or begun. CNCUNITS is for the next OPEN and changes nothing of the drawing that is open.</summary>
+/// <summary>A drawing gets its unit when it is opened or created. CNCUNITS is for the next OPEN and does not change the drawing that is open.</summary>
 public class DrawingScaleTests
 {
     private const string Inches = "1";

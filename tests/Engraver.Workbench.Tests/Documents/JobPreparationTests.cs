@@ -26,7 +26,7 @@ public class JobPreparationTests
     {
         var drawing = Open("nameplate");
         var layer = Assert.Throws<SettingException>(() => JobPreparation.Analyse(drawing, new DrawingSettings { SkippedLayers = ["Frame"] }));
-        var handle = Assert.Throws<SettingException>(() => StageOptions.SequencingFor(drawing, new DrawingSettings { Enter = new EntryPoint.ByHandle("FFFF") }));
+        var handle = Assert.Throws<SettingException>(() => StageOptions.SequencingFor(drawing, new DrawingSettings { Enter = new ContourEntry.ByHandle("FFFF") }));
 
         Assert.Contains("'Frame'", layer.Message, StringComparison.Ordinal);
         Assert.Contains("FFFF", handle.Message, StringComparison.Ordinal);
@@ -37,7 +37,7 @@ public class JobPreparationTests
     {
         var drawing = Open("paper-001");
         var handle = drawing.SourceOf(2).Handle!;
-        var job = JobPreparation.Prepare(drawing, new DrawingSettings { Enter = new EntryPoint.ByHandle(handle) }, MotionStyle.Continuous);
+        var job = JobPreparation.Prepare(drawing, new DrawingSettings { Enter = new ContourEntry.ByHandle(handle) }, MotionStyle.Continuous);
 
         Assert.Equal(2, job.Toolpath.Strokes[0].Moves[0].EntityIndex);
     }

@@ -77,7 +77,7 @@ public sealed class CompressedTextTests : IDisposable
             for (var (poll, flushed) = (0, 0.0); poll * PollSeconds < 3600.0; poll++)
             {
                 writer.WriteLine(Line(poll));
-                if (poll % 8 == 0) writer.WriteLine(new ConversationStep((long)(poll * 116_000L) + 16_000, 0, ConversationAct.Said, Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"VP {poll * 7919 % 100_000},{poll * 104_729 % 100_000}<20000>20000\r"))).ToString());
+                if (poll % 8 == 0) writer.WriteLine(new ConversationStep((long)(poll * 116_000L) + 16_000, 0, ConversationEvent.Said, Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"VP {poll * 7919 % 100_000},{poll * 104_729 % 100_000}<20000>20000\r"))).ToString());
                 if ((poll * PollSeconds) - flushed < 1.0) continue;
                 writer.Flush();
                 flushed = poll * PollSeconds;
@@ -88,7 +88,7 @@ public sealed class CompressedTextTests : IDisposable
     }
 
     private static string Line(int poll) =>
-        new ConversationStep(poll * 116_000L, 0, ConversationAct.Said, "MG _BGS,_BGA,_BGB,_CSS,seq,_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,_XQ1,errcode,wtrip,_OP0\r"u8.ToArray()).ToString();
+        new ConversationStep(poll * 116_000L, 0, ConversationEvent.Said, "MG _BGS,_BGA,_BGB,_CSS,seq,_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,_XQ1,errcode,wtrip,_OP0\r"u8.ToArray()).ToString();
 
     private string PathOf(string name) => Path.Combine(_folder.FullName, name);
 }

@@ -104,7 +104,7 @@ public class ArmingTests
         Assert.NotNull(await bench.Machine.Origins.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit));
         await bench.Controller.DisposeAsync();
 
-        Assert.Null(await bench.Machine.Origins.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // nobody has looked since
+        Assert.Null(await bench.Machine.Origins.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // not checked since
         Assert.Equal((MachineState.Fault, true), (bench.Machine.Status.State, bench.Machine.Status.IsLinkLost));
     }
 

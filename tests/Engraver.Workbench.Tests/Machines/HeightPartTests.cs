@@ -53,7 +53,7 @@ public sealed class HeightPartTests : IDisposable
 
     [Theory]
     [InlineData("LI 10000,4000,-1600", "LI 10000,4000,-1590")] // the slope ends a hundredth of a millimetre too high
-    [InlineData("z=oz-800;", "z=oz-810;")] // a stroke lies too deep
+    [InlineData("z=oz-800;", "z=oz-810;")] // a stroke is too deep
     [InlineData("z=oz-2000;", "z=oz-1980;")] // and one is not deep enough
     public async Task A_program_that_cuts_at_another_height_is_no_faithful_one(string was, string becomes)
     {

@@ -74,7 +74,7 @@ public sealed class OperatorPresenceTests : IDisposable
         Assert.Equal((true, false), (told[0], told[^1]));
     }
 
-    /// <summary>A delayed check cannot tell which side was delayed: it checks again.</summary>
+    /// <summary>A delayed check does not show which side was delayed: it checks again.</summary>
     [Fact]
     public async Task When_this_program_was_held_up_as_a_whole_the_sign_behind_it_counts()
     {

@@ -22,7 +22,7 @@ public class SettingValuesTests
         MaxErrorMm = 1e-9,
         Start = new(-1.0 / 3.0, 1e-20),
         Finish = FinishPlace.Park,
-        Enter = new EntryPoint.ByHandle("A1"),
+        Enter = new ContourEntry.ByHandle("A1"),
         Order = StrokeOrder.Drawn,
         KeepDuplicates = true,
         RecoverArcs = true,
@@ -52,9 +52,9 @@ public class SettingValuesTests
     [Fact]
     public void A_place_to_enter_comes_back_and_what_is_missing_has_its_default()
     {
-        var back = SettingValues.Read(SettingValues.Of(s_other with { Enter = new EntryPoint.ByPoint(new(1.5, -2.0)) }), s_other.Machine);
+        var back = SettingValues.Read(SettingValues.Of(s_other with { Enter = new ContourEntry.ByPoint(new(1.5, -2.0)) }), s_other.Machine);
 
-        Assert.Equal(new EntryPoint.ByPoint(new(1.5, -2.0)), back.Enter);
+        Assert.Equal(new ContourEntry.ByPoint(new(1.5, -2.0)), back.Enter);
         Assert.Equal(77.0, back.Machine.FeedMmPerMinute);
         Assert.Equal(SettingValues.Of(new DrawingSettings()), SettingValues.Of(SettingValues.Read(new Dictionary<string, string> { ["from-a-later-version"] = "1" }, MachineProfile.Default)));
     }

@@ -40,7 +40,7 @@ public class StageSettingsTests
         [SettingTable.MaxError] = settings => settings with { MaxErrorMm = settings.MaxErrorMm > 0.01 ? 0.0001 : 0.05 },
         [SettingTable.Start] = settings => settings with { Start = new Point2D(30_000, 4) },
         [SettingTable.Finish] = settings => settings with { Finish = FinishPlace.Stay },
-        [SettingTable.Enter] = settings => settings with { Enter = new EntryPoint.ByPoint(new Point2D(40, 0)) },
+        [SettingTable.Enter] = settings => settings with { Enter = new ContourEntry.ByPoint(new Point2D(40, 0)) },
         [SettingTable.Order] = settings => settings with { Order = StrokeOrder.Drawn },
         [SettingTable.KeepDuplicates] = settings => settings with { KeepDuplicates = true },
         [SettingTable.RecoverArcs] = settings => settings with { RecoverArcs = !settings.RecoverArcs },
@@ -57,12 +57,12 @@ public class StageSettingsTests
 
     [Theory]
     [MemberData(nameof(Keys))]
-    public void A_stage_reads_the_settings_that_it_lists_and_no_others(string key)
+    public void A_stage_reads_no_setting_that_it_does_not_list(string key)
     {
         var stage = JobStages.All.Single(stage => stage.Key == key);
         var read = SettingTable.All.Where(setting => s_bases.Any(settings => Differs(stage, settings, s_changes[setting]))).Select(setting => setting.Key);
 
-        Assert.Equal(stage.Settings.Select(setting => setting.Key).Order(), read.Order());
+        Assert.Empty(read.Except(stage.Settings.Select(setting => setting.Key)));
     }
 
     private static bool Differs(JobStage stage, DrawingSettings settings, Func<DrawingSettings, DrawingSettings> change)

@@ -63,7 +63,8 @@ internal sealed class RecordReader
     /// <summary>The next record's type name, in capitals.</summary>
     public string NextType => _types[_nextType];
 
-    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="SkipSilently()"/> then skips to
+    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="SkipSilently()"/> then
+    /// skips to
     /// the record after.</summary>
     public (int Position, int Line) Bookmark() => _tags.Bookmark();
 

@@ -16,7 +16,8 @@ public sealed record ControllerPosition(CountsPoint Position, long? Serial = nul
     /// <summary>The letters of those axes whose position is lost when their motor is off, because no encoder counts how they are moved then.</summary>
     public string WithoutEncoder { get; init; } = "";
 
-    /// <summary>The letters of those of <see cref="WithoutEncoder"/> whose last motion was stopped without a ramp: they may have lost steps then. The controller
+    /// <summary>The letters of those of <see cref="WithoutEncoder"/> whose last motion was stopped without a ramp: they may have lost steps then. The
+    /// controller
     /// does not report whether that was before an origin was set.</summary>
     public string StoppedWithoutRamp { get; init; } = "";
 

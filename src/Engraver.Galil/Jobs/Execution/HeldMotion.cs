@@ -41,7 +41,3 @@ internal static class HeldMotion
         if (machine.Phase.AwaitIdle is { } idle) await idle().ConfigureAwait(false);
     }
 }
-
-/// <summary>The motion of a held job was given up: nothing is in progress in the controller, and the axes may be moved. It ends the strategy and not the
-/// job, which catches it in one place.</summary>
-internal sealed class GivenUpException : Exception;

@@ -4,7 +4,7 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Moves by hand while a job is held and nothing of it is in progress in the controller: with the job's own watchdog and stop, tool off or
+/// <summary>Moves by hand while a job is held and the controller executes no part of it: with the job's own watchdog and stop, tool off or
 /// raised.</summary>
 /// <param name="limits">The travel that is in force, counts; empty where it is not known.</param>
 internal sealed class HeldMoves(JobMachine machine, JobControl control, JobLog log, IReadOnlyList<SoftLimit> limits)

@@ -51,7 +51,7 @@ internal sealed class SerialConversation(SerialLine line)
     /// <summary>A pause of the host between two polls, seconds.</summary>
     public void Rest(double seconds) => Now += seconds;
 
-    /// <summary>A motion has begun.</summary>
+    /// <summary>A motion has started.</summary>
     /// <param name="speed">_VMS meanwhile; 0 for a rapid.</param>
     public void Moves(double until, int speed) => (_movingUntil, _speed) = (until, speed);
 

@@ -14,7 +14,7 @@ internal sealed class CopyCommand : ICommand
     {
         var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
         var (ghost, copies) = (new SelectionGhost(context.Drawing, selected), new CopyRun(context, selected));
-        if (await Displacement.BaseAsync(context).ConfigureAwait(false) is not { } from) copies.Add([await Displacement.TypedAsync(context, ghost).ConfigureAwait(false)]);
+        if (await DisplacementPrompts.BaseAsync(context).ConfigureAwait(false) is not { } from) copies.Add([await DisplacementPrompts.TypedAsync(context, ghost).ConfigureAwait(false)]);
         else await PlaceAsync(context, ghost, from, copies).ConfigureAwait(false);
     }
 
@@ -45,7 +45,7 @@ internal sealed class CopyCommand : ICommand
     /// <summary>Before the first copy Enter uses the base point as displacement; afterwards it ends the command.</summary>
     private static PointPrompt NextPrompt(SelectionGhost ghost, Point2D from, int made)
     {
-        var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOrDisplacement" : "Copy.SpecifySecondPoint")) { From = from, Ghost = Displacement.GhostFrom(ghost, from) };
+        var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOrDisplacement" : "Copy.SpecifySecondPoint")) { From = from, Ghost = DisplacementPrompts.GhostFrom(ghost, from) };
         return made == 0 ? prompt with { Options = Keyword.List("Array"), EnterEnds = true } : prompt with { Options = Keyword.List("Array", "Exit", "Undo"), Default = "Exit" };
     }
 

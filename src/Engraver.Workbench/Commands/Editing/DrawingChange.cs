@@ -90,14 +90,14 @@ internal static class DrawingChange
     }
 
     /// <summary>The start of cutting after an edit: the object that replaced the entry entity; this is reported.</summary>
-    private static EntryPoint? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
+    private static ContourEntry? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
     {
         var place = context.Document.Current.Settings.Enter;
-        if (place is not EntryPoint.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
+        if (place is not ContourEntry.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
         if (EntryHandleSubstitute.HandleOf(context.Drawing, handle, edited, substitutes) is { } other)
         {
             context.WriteMessage(Wording.Get("DrawingChange.EnteringEntityReplaced", handle, other));
-            return new EntryPoint.ByHandle(other);
+            return new ContourEntry.ByHandle(other);
         }
 
         context.WriteMessage(Wording.Get("DrawingChange.EnteringEntityRemoved", handle));

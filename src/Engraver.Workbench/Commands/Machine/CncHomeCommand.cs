@@ -15,7 +15,7 @@ internal sealed class CncHomeCommand : ICommand
         var profile = context.Machine.Profile;
         if (!profile.HasHoming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHome.NoHoming"));
         foreach (var axis in profile.Axes.All.Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order)) context.WriteMessage(HomingText.Sentence(axis));
-        if (context.Machine.Hand.HomingForgets is { Count: > 0 } lost) context.WriteMessage(Wording.Get("CncHome.OriginsNotRestored", string.Join(", ", lost)), MessageKind.Warning);
+        if (context.Machine.Hand.OriginsLostByHoming is { Count: > 0 } lost) context.WriteMessage(Wording.Get("CncHome.OriginsNotRestored", string.Join(", ", lost)), MessageKind.Warning);
         if (!await context.ConfirmAsync(Wording.Get("CncHome.ConfirmStart")).ConfigureAwait(false)) return;
         ManualMotion.ThrowIfMotorsOff(context);
         var part = context.Machine.Runs.Part;

@@ -14,7 +14,7 @@ internal static class ManualMotion
     public static void ThrowIfNotReady(CommandContext context, bool whileHeld = false)
     {
         if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
-        if (whileHeld && context.Machine.Controls.IsHeld) return; // whoever held the job stands at the machine
+        if (whileHeld && context.Machine.Controls.IsHeld) return; // the operator who held the job is at the machine
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("HandMotion.InMotion"));
         if (context.RequiresManualStart) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
         if (context.IsScripted && !context.Machine.Connection.IsSimulation && context.Machine.Arming.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));

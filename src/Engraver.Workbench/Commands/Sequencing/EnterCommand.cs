@@ -17,8 +17,8 @@ internal sealed class EnterCommand : ICommand
         var place = answer switch
         {
             Answer<Point2D>.Value { Result: var point } => AtEntity(drawing, ObjectSelection.EntityAt(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectAtPoint"))),
-            Answer<Point2D>.SelectedOption { Option: "Handle" } => new EntryPoint.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
-            Answer<Point2D>.SelectedOption { Option: "Point" } => new EntryPoint.ByPoint(drawing.Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
+            Answer<Point2D>.SelectedOption { Option: "Handle" } => new ContourEntry.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
+            Answer<Point2D>.SelectedOption { Option: "Point" } => new ContourEntry.ByPoint(drawing.Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
             _ => null,
         };
         var state = context.Document.Current;
@@ -26,10 +26,10 @@ internal sealed class EnterCommand : ICommand
     }
 
     /// <summary>Identifies the entity by its handle if it is unique, otherwise by a point on it: curves of a block's copies share their handle.</summary>
-    private static EntryPoint AtEntity(Drawing drawing, int entity) =>
+    private static ContourEntry AtEntity(Drawing drawing, int entity) =>
         drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
-            ? new EntryPoint.ByHandle(handle)
-            : new EntryPoint.ByPoint(drawing.Scale.ToMillimetres(DrawingPick.Segments(drawing, entity).First().Start));
+            ? new ContourEntry.ByHandle(handle)
+            : new ContourEntry.ByPoint(drawing.Scale.ToMillimetres(DrawingPick.Segments(drawing, entity).First().Start));
 
     private static async Task<string> HandleAsync(CommandContext context)
     {

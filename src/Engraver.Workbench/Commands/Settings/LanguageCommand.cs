@@ -4,7 +4,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>LANGUAGE: Chooses the language of the desktop, from its next start: a window that speaks two languages at once would be worse than one that
+/// <summary>LANGUAGE: Chooses the language of the desktop, from its next start: a window that shows two languages at once would be worse than one that
 /// waits.</summary>
 internal sealed class LanguageCommand : ICommand
 {

@@ -61,7 +61,7 @@ public sealed record OptionEntry(string Page, string Key, string Command)
     /// <summary>The capitals inside of an option mark what is typed for it; in a list they mean nothing.</summary>
     private static string Capitalised(string option) => option[..1].ToUpper(CultureInfo.CurrentUICulture) + option[1..].ToLower(CultureInfo.CurrentUICulture);
 
-    /// <summary>The words of a search stand in its name, its command or its meaning.</summary>
+    /// <summary>The words of a search are in its name, its command or its meaning.</summary>
     public bool Matches(string words)
     {
         ArgumentNullException.ThrowIfNull(words);

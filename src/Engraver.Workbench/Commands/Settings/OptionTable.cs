@@ -51,7 +51,7 @@ public static class OptionTable
     }
 
     /// <summary>The inputs by which changed settings become what the window shows, one command each.</summary>
-    /// <param name="shown">All values as they stand in the window, by key.</param>
+    /// <param name="shown">All values as shown in the window, by key.</param>
     public static IReadOnlyList<string> InputsFor(OptionEntry changed, IReadOnlyDictionary<string, string> shown)
     {
         ArgumentNullException.ThrowIfNull(changed);

@@ -15,7 +15,7 @@ internal sealed class OptionsCommand : ICommand
         var prompt = new TextPrompt(Wording.Get("Options.EnterName")) { EnterEnds = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Result: var name }) return;
         if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.UnknownSetting", name));
-        if (context.OuterCommand is { } outer && !setting.Info.IsTransparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its step would stand between those of the other
+        if (context.OuterCommand is { } outer && !setting.Info.IsTransparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its undo step would be between those of the other command
         await setting.RunAsync(context, cancellation).ConfigureAwait(false);
     }
 

@@ -32,10 +32,10 @@ public static class SystemVariables
         InView("DYNMODE", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
     ];
 
-    /// <summary>What the colour of a run tells, in the order of <see cref="RunMeasure"/>.</summary>
+    /// <summary>What the colour of a run shows, in the order of <see cref="RunMeasure"/>.</summary>
     internal const string CncTraceColor = "CNCTRACECOLOR";
 
-    /// <summary>AUTOSEQUENCE asks at each discontinuity whether it goes on from there.</summary>
+    /// <summary>AUTOSEQUENCE asks at each discontinuity whether it continues from there.</summary>
     internal const string AutoWalk = "AUTOWALK";
 
     /// <summary>Decimals of lengths, as in AutoCAD.</summary>
@@ -47,7 +47,7 @@ public static class SystemVariables
     /// <summary>How lengths and angles are printed.</summary>
     public static DisplayPrecision Figures(this DesktopSettings settings) => new((int)Variable(settings, Luprec), (int)Variable(settings, Auprec));
 
-    /// <summary>What the colour of a run tells.</summary>
+    /// <summary>What the colour of a run shows.</summary>
     public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);
 
     internal static IEnumerable<SystemVariable> All => s_table.Select(row => row.Variable);

@@ -49,7 +49,7 @@ public class LinkCommandTests
     {
         await using var talk = new CommandTestSession();
         var drawing = new DrawingBuilder().Line(3, 4, 20, 4).Circle(60, 0, 5.5).Build();
-        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing, Settings = new DrawingSettings { Enter = new EntryPoint.ByPoint(new Point2D(60, 5.5)) } });
+        talk.Session.Document.Commit("OPEN", new DocumentState { Drawing = drawing, Settings = new DrawingSettings { Enter = new ContourEntry.ByPoint(new Point2D(60, 5.5)) } });
         await talk.TypeAsync("AGIEPOST", "Exact", "a.agie", "LINK", "a.agie", "", "", "c.agie");
         await using var other = new CommandTestSession();
         File.Copy(talk.PathOf("c.agie"), other.PathOf("c.agie"));

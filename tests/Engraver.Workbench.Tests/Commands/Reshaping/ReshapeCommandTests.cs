@@ -49,7 +49,7 @@ public class ReshapeCommandTests
         Assert.Equal("Line: 0,0>10,0", ObjectText.All(talk)[0]);
     }
 
-    /// <summary>A polyline's arc keeps its bulge; an arc by itself its height over the chord: radius 5 over 10, moved to a chord of 20, has h = 5 and r =
+    /// <summary>A polyline's arc keeps its bulge; a single arc its height over the chord: radius 5 over 10, moved to a chord of 20, has h = 5 and r =
     /// (h^2 + 10^2) / 2h = 12.5.</summary>
     [Fact]
     public async Task Stretched_arcs_keep_bulge_or_height()

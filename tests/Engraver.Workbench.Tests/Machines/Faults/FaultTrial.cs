@@ -101,7 +101,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
             var stopped = await _machine.RunAsync(one.Mode, stop => new FaultOperator(_machine, one with { Activity = HostActivity.Stop }, stop), limit.Token);
             Assert.True(stopped.Result is { Outcome: JobOutcome.Stopped or JobOutcome.Complete }, stopped.ToString());
             _journal = stopped.Journal;
-            Assert.NotNull(await _machine.PollAsync(limit.Token)); // which tells its end
+            Assert.NotNull(await _machine.PollAsync(limit.Token)); // which shows its end
         }
     }
 
@@ -172,8 +172,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private bool IsAt(CountsPoint goal) => Math.Abs(_machine.Controller.MotorPlace(0) - goal.X) <= MostError && Math.Abs(_machine.Controller.MotorPlace(1) - goal.Y) <= MostError;
 
-    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of
-    /// the fault meets it, once what stands was freed, and with the operator's remedy where nobody knows where the machine is.</summary>
+    /// <summary>The next host cuts the part at its place or receives the reason why not: again, behind a homing, or what is left of it. It comes again
+    /// while the rest of
+    /// the fault meets it, once the axes at rest were freed, and with the operator's remedy where the machine position is unknown.</summary>
     private async Task NextAsync(FaultyRun run)
     {
         var isResumed = one.Activity is not (HostActivity.Run or HostActivity.Stop) && one.IsRun && !run.IsComplete;
@@ -215,7 +216,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private Task<FaultyRun> AgainAsync(FaultyRun before, bool isResumed)
     {
-        _machine.Rest(); // A host that connects while a job of another one continues is told to wait.
+        _machine.Rest(); // A host that connects while a job of another one continues must wait.
         if (isResumed) Interrupted(before);
         return OnceMoreAsync(isResumed);
     }

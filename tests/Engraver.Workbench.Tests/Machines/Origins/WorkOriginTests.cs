@@ -136,7 +136,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
         if (between is "look" or "burned") await ActAsync(async machine =>
         {
-            if (between == "burned") await machine.Connection.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // as BV brings it back; the clock began anew
+            if (between == "burned") await machine.Connection.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // as BV brings it back; the clock started again
             await machine.Hand.SetMotorsAsync(on: true, _limit.Token);
         });
         if (between == "move") await ActAsync(async machine =>

@@ -6,11 +6,11 @@ namespace Engraver.Galil.Jobs;
 
 /// <summary>The job frame: what is added to a point of the motion program to get the controller's own counts. It is either given, or taken from the machine's
 /// position at the start.</summary>
-internal sealed class JobFrame
+internal sealed class JobCoordinates
 {
     private readonly CountsPoint _start;
 
-    public JobFrame(MotionProgram program, JobOptions options)
+    public JobCoordinates(MotionProgram program, JobOptions options)
     {
         _start = program.Start;
         Lift = options.DryRun ? DryRunLift.Of(program) : 0;

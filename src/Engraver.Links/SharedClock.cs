@@ -13,13 +13,13 @@ namespace Engraver.Links;
 /// created without one and set later is a deadline: it fires when the time is reached, and does not make time advance.</para> <para>When the other end is
 /// closed or does not reply, the clock is released, and time continues with the wall clock from its last value, so that every wait and every deadline still
 /// ends.</para> </remarks>
-public sealed class OfferedClock : TimeProvider, IDisposable
+public sealed class SharedClock : TimeProvider, IDisposable
 {
     /// <summary>Wall time after which a reply of the other end is overdue.</summary>
     private const int AnswerMilliseconds = 10_000;
 
     /// <summary>While a reply is awaited the time is not read; deadlines are then tested at this interval of wall time.</summary>
-    private static readonly TimeSpan LookAtDeadlines = TimeSpan.FromMilliseconds(250);
+    private static readonly TimeSpan DeadlinePollInterval = TimeSpan.FromMilliseconds(250);
 
     private readonly Lock _gate = new();
     private readonly Socket _socket;
@@ -33,12 +33,12 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private bool _isHostWaiting;
     private bool _isAsked;
     private long _askedFor;
-    private long _begun;
+    private long _started;
 
-    private OfferedClock(Socket socket)
+    private SharedClock(Socket socket)
     {
         _socket = socket;
-        _looking = System.CreateTimer(_ => Look(), null, LookAtDeadlines, LookAtDeadlines);
+        _looking = System.CreateTimer(_ => Poll(), null, DeadlinePollInterval, DeadlinePollInterval);
     }
 
     /// <summary>Ticks of 100 ns since the controller was switched on.</summary>
@@ -46,14 +46,14 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     /// <summary>Acquires the clock at this port of loopback.</summary>
     /// <exception cref="ControllerLinkException">No clock is offered at this port.</exception>
-    public static OfferedClock Take(int port)
+    public static SharedClock Acquire(int port)
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, ReceiveTimeout = AnswerMilliseconds, SendTimeout = AnswerMilliseconds };
-        var clock = new OfferedClock(socket);
+        var clock = new SharedClock(socket);
         try
         {
             socket.Connect(IPAddress.Loopback, port);
-            clock.Ask("now\n");
+            clock.Query("now\n");
             return clock;
         }
         catch (Exception failure) when (failure is SocketException or IOException)
@@ -70,7 +70,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         long now;
         lock (_gate)
         {
-            if (!_isKnown) AskNow();
+            if (!_isKnown) QueryTime();
             now = Now;
             due = TakeDue();
         }
@@ -89,7 +89,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     /// <summary>Called when the controller has replied: its clock may have advanced. Without commands and waits it does not advance and need not be queried
     /// again.</summary>
-    public void Heard() => _isKnown = false;
+    public void Invalidate() => _isKnown = false;
 
     /// <summary>Releases the clock and ends all waits.</summary>
     public void Dispose()
@@ -99,7 +99,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         List<Timer> left;
         lock (_gate)
         {
-            Lose();
+            Release();
             left = [.. _set.Where(timer => timer.IsWait)];
             _set.Clear();
         }
@@ -115,16 +115,16 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         lock (_gate)
         {
             // Ended early by a cancellation: the host is active, unless it has started another wait in the meantime.
-            if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = _set.Exists(other => other.IsWait && other.Begun > timer.Begun);
-            if (isWait) timer.Begun = ++_begun;
+            if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = _set.Exists(other => other.IsWait && other.Started > timer.Started);
+            if (isWait) timer.Started = ++_started;
             timer.IsWait = isWait;
             _set.Remove(timer);
             if (due != Timeout.InfiniteTimeSpan) _set.Add(timer);
             if (isWait) _isHostWaiting = true;
-            if (isWait && !_isKnown) AskNow();
+            if (isWait && !_isKnown) QueryTime();
             timer.Due = due == Timeout.InfiniteTimeSpan ? long.MaxValue : (isWait ? Now : now) + due.Ticks;
             if (_isLost) return; // Look ends the wait
-            if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Say("stop\n"));
+            if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Send("stop\n"));
             else if (!_isAsked && _isHostWaiting) AskToWait();
         }
     }
@@ -136,7 +136,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     {
         _askedFor = NextDue;
         var microseconds = Math.Max(0, (_askedFor - _known + TimeSpan.TicksPerMicrosecond - 1) / TimeSpan.TicksPerMicrosecond);
-        Try(() => Say(string.Create(CultureInfo.InvariantCulture, $"wait {microseconds}\n")));
+        Try(() => Send(string.Create(CultureInfo.InvariantCulture, $"wait {microseconds}\n")));
         if (_isLost) return;
         _isAsked = true;
         ThreadPool.UnsafeQueueUserWorkItem(static clock => clock.TakeAnswer(), this, preferLocal: false);
@@ -159,7 +159,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             _isAsked = false;
             _isKnown = true;
-            if (!answered) Lose();
+            if (!answered) Release();
             due = TakeDue();
             if (_isHostWaiting && !_isLost) AskToWait();
         }
@@ -185,7 +185,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     }
 
     /// <summary>Tests the deadlines while the host awaits a reply and does not read the clock; tests all timers when the other end is closed.</summary>
-    private void Look()
+    private void Poll()
     {
         bool isDeadlineSet;
         lock (_gate)
@@ -199,20 +199,20 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     }
 
     /// <summary>Under the lock. During a wait the time comes with its reply.</summary>
-    private void AskNow()
+    private void QueryTime()
     {
         if (_isAsked || _isLost) return;
         _isKnown = true; // any later reply makes it unknown again
-        Try(() => Ask("now\n"));
+        Try(() => Query("now\n"));
     }
 
-    private void Ask(string line)
+    private void Query(string line)
     {
-        Say(line);
+        Send(line);
         _known = Read(AnswerMilliseconds);
     }
 
-    private void Say(string line) => _socket.Send(Encoding.ASCII.GetBytes(line));
+    private void Send(string line) => _socket.Send(Encoding.ASCII.GetBytes(line));
 
     private long Read(int milliseconds)
     {
@@ -237,26 +237,26 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         }
         catch (Exception failure) when (failure is SocketException or IOException or ObjectDisposedException)
         {
-            Lose();
+            Release();
         }
     }
 
     /// <summary>Releases the clock: with a host that no longer waits, the controller would let no time pass and never come to rest.</summary>
-    private void Lose()
+    private void Release()
     {
         if (_isLost) return;
         (_isLost, _lostAt) = (true, System.GetTimestamp());
         _socket.Dispose();
     }
 
-    private sealed class Timer(OfferedClock clock, TimerCallback callback, object? state) : ITimer
+    private sealed class Timer(SharedClock clock, TimerCallback callback, object? state) : ITimer
     {
         public long Due { get; set; } = long.MaxValue;
 
         public bool IsWait { get; set; }
 
         /// <summary>Waits are ordered by their start.</summary>
-        public long Begun { get; set; }
+        public long Started { get; set; }
 
         public void Fire() => callback(state);
 

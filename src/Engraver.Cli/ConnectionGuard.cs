@@ -4,7 +4,7 @@ namespace Engraver.Cli;
 /// ended or disconnected. Otherwise the program ends at once.</summary>
 /// <remarks>Any thread. The stop is requested before this class is read: a verb that connects later sees the requested stop and does not start
 /// anything.</remarks>
-internal sealed class ConnectedMachine
+internal sealed class ConnectionGuard
 {
     private readonly Lock _guard = new();
     private TaskCompletionSource? _connected;

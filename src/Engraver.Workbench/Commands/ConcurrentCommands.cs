@@ -2,38 +2,38 @@ namespace Engraver.Workbench.Commands;
 
 /// <summary>The commands that run beside the one at work: those that change neither the drawing nor the machine, and those that must always be
 /// taken.</summary>
-public sealed class BesideCommands
+public sealed class ConcurrentCommands
 {
     private readonly CommandSession _session;
     private readonly FrameStack _frames;
     private CommandFrame? _frame;
 
-    internal BesideCommands(CommandSession session, FrameStack frames) => (_session, _frames) = (session, frames);
+    internal ConcurrentCommands(CommandSession session, FrameStack frames) => (_session, _frames) = (session, frames);
 
     /// <summary>A command beside the one at work waits for an answer.</summary>
-    public bool Asks => Asking is not null;
+    public bool HasPrompt => PromptingFrame is not null;
 
     /// <summary>The command beside the one at work that waits for an answer; null when none does.</summary>
-    internal CommandFrame? Asking => _frame is { Pending: not null } frame ? frame : null;
+    internal CommandFrame? PromptingFrame => _frame is { Pending: not null } frame ? frame : null;
 
     /// <summary>While a command is at work: this input is taken at once, beside it, because it is a command that may run then or the answer to one.</summary>
     /// <remarks>While another drawing is opened, input about view and drawing is meant for that drawing and waits.</remarks>
-    public bool Takes(string input)
+    public bool Accepts(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        if (Asks) return true;
-        return Meant(input) is { Info: { CanRunConcurrently: true } info } && (info.Group == CommandGroup.Machine || _frames.Top is not { Info.ReplacesDrawing: true });
+        if (HasPrompt) return true;
+        return CommandOf(input) is { Info: { CanRunConcurrently: true } info } && (info.Group == CommandGroup.Machine || _frames.Top is not { Info.ReplacesDrawing: true });
     }
 
     /// <summary>This input must not wait for anything: it stops the machine, holds it, or shows its status.</summary>
     public bool IsUrgent(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        return Meant(input) is { Info: { IsAllowedDuringJob: true, IsTransparent: true, Group: CommandGroup.Machine } };
+        return CommandOf(input) is { Info: { IsAllowedDuringJob: true, IsTransparent: true, Group: CommandGroup.Machine } };
     }
 
     /// <summary>Why this command may not run beside the one at work, a sentence; null when it may or is not known.</summary>
-    public string? WhyNot(string input) => Meant(input) is { Info: { CanRunConcurrently: false } info } ? ReasonFor(info) : null;
+    public string? WhyNot(string input) => CommandOf(input) is { Info: { CanRunConcurrently: false } info } ? ReasonFor(info) : null;
 
     /// <summary>Ends a command that asks or works beside the one at work, which continues. A command between two questions ends too: nothing is asked any
     /// more.</summary>
@@ -53,7 +53,7 @@ public sealed class BesideCommands
     /// <param name="shown">The input as the history shows it; null: as it is.</param>
     internal async Task<InputResult> EnterAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (Asking is { } asking)
+        if (PromptingFrame is { } asking)
         {
             if (!IsUrgent(input)) return await AnswerAsync(asking, input, shown ?? input, cancellation).ConfigureAwait(false);
             await EndAsync().ConfigureAwait(false);
@@ -72,7 +72,7 @@ public sealed class BesideCommands
         var frame = new CommandFrame(command.Info) { IsConcurrent = true, SuppressesDialogs = CommandPrefix.HasDash(words[0]) };
         Interlocked.CompareExchange(ref _frame, frame, null);
         frame.Start(command, new CommandContext(_session, frame));
-        var result = await SettleAsync(frame, cancellation).ConfigureAwait(false);
+        var result = await CompleteAsync(frame, cancellation).ConfigureAwait(false);
         foreach (var word in words.Skip(1))
         {
             if (result is not InputResult.AwaitingInput) return result;
@@ -85,10 +85,10 @@ public sealed class BesideCommands
     private async Task<InputResult> AnswerAsync(CommandFrame frame, string answer, string shown, CancellationToken cancellation)
     {
         _session.Echo(shown);
-        return frame.Answer(answer, _session.LastPoint) is { } wanted ? new InputResult.NotAccepted(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
+        return frame.Answer(answer, _session.LastPoint) is { } wanted ? new InputResult.NotAccepted(wanted) : await CompleteAsync(frame, cancellation).ConfigureAwait(false);
     }
 
-    private async Task<InputResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
+    private async Task<InputResult> CompleteAsync(CommandFrame frame, CancellationToken cancellation)
     {
         var result = await frame.WaitForPromptOrEndAsync(cancellation).ConfigureAwait(false);
         if (result is InputResult.AwaitingInput)
@@ -109,5 +109,5 @@ public sealed class BesideCommands
         return Wording.Get(info.Group == CommandGroup.Machine || info.StartsMotion ? "CommandSession.MachineInUse" : "CommandSession.DrawingInUse", info.Name, work);
     }
 
-    private ICommand? Meant(string input) => input.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var word, ..] ? _session.Find(word) : null;
+    private ICommand? CommandOf(string input) => input.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var word, ..] ? _session.Find(word) : null;
 }

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 namespace Engraver.Workbench.Commands.Editing;
 
 /// <summary>Prompts for the vector of MOVE and COPY: from a base point to a second one, or typed as a displacement. Drawing units.</summary>
-internal static class Displacement
+internal static class DisplacementPrompts
 {
     public static async Task<Vector2D> AskAsync(CommandContext context, SelectionGhost ghost) =>
         await BaseAsync(context).ConfigureAwait(false) is { } basePoint ? await WayFromAsync(context, ghost, basePoint).ConfigureAwait(false) : await TypedAsync(context, ghost).ConfigureAwait(false);

@@ -1,0 +1,12 @@
+using System.Globalization;
+using System.Text;
+
+namespace Engraver.Links.Recording;
+
+/// <summary>An event on a link.</summary>
+public enum ConversationEvent
+{
+    Opened,
+    Said,
+    Closed,
+}
