@@ -16,7 +16,7 @@ internal static class ConnectOption
         var word = result.Tokens[0].Value;
         if (!MachineFamilies.Standard.TryParseAddress(word, out var address))
         {
-            result.AddError(Wording.Get("ConnectOption.InvalidAddress", word, MachineFamilies.Standard.AddressForms));
+            result.AddError(Wording.Get("ConnectOption.Connect", MachineFamilies.Standard.NotAnAddress(word)));
             return null;
         }
 

@@ -16,7 +16,7 @@ internal static class DiscoverVerb
         {
             foreach (var token in result.Tokens)
             {
-                if (!MachineFamilies.Standard.TryParseAddress(token.Value, out _)) result.AddError(Wording.Get("ConnectOption.InvalidAddress", token.Value, MachineFamilies.Standard.AddressForms));
+                if (!MachineFamilies.Standard.TryParseAddress(token.Value, out _)) result.AddError(MachineFamilies.Standard.NotAnAddress(token.Value));
             }
         });
         var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Discover.Baud"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud };

@@ -26,9 +26,13 @@ public abstract record ControllerAddress
     /// <summary>The address as typed, without a clock.</summary>
     public abstract string Typed { get; }
 
+    /// <summary>The message for a text that is not an address.</summary>
+    /// <param name="forms">The accepted forms.</param>
+    public static string NotAnAddress(string text, string forms) => Wording.Get("ControllerAddress.NotAnAddress", text, forms);
+
     /// <exception cref="FormatException">The text is not an address; the message states what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
-        TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NotAnAddress", text, Forms));
+        TryParse(text, out var address) ? address : throw new FormatException(NotAnAddress(text, Forms));
 
     public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
     {

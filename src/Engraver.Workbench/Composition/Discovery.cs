@@ -33,7 +33,7 @@ public static class Discovery
     /// <param name="time">The clock of the timeout.</param>
     public static async Task<DiscoveredController> QueryAsync(string address, TimeProvider time, CancellationToken cancellation)
     {
-        if (!MachineFamilies.Standard.TryParseAddress(address, out var parsed)) return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAddress", MachineFamilies.Standard.AddressForms));
+        if (!MachineFamilies.Standard.TryParseAddress(address, out var parsed)) return new DiscoveredController(address, null, null, MachineFamilies.Standard.NotAnAddress(address));
         using var patience = new CancellationTokenSource(s_timeout, time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(patience.Token, cancellation);
         try

@@ -19,6 +19,9 @@ public sealed class MachineFamilies(IReadOnlyList<MachineFamily> all)
     /// <summary>Every form of address that one of the families accepts, for messages.</summary>
     public string AddressForms => string.Join(", ", [ControllerAddress.Forms, .. all.SelectMany(family => family.AddressForms)]);
 
+    /// <summary>The message for a text that is not an address.</summary>
+    public string NotAnAddress(string text) => ControllerAddress.NotAnAddress(text, AddressForms);
+
     /// <summary>The driver of a machine profile.</summary>
     public static IMachineDriver DriverOf(MachineProfile profile)
     {

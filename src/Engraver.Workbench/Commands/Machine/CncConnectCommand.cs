@@ -11,7 +11,7 @@ internal sealed class CncConnectCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncConnect.EnterAddress")) { Default = context.Settings.Current.LastAddress ?? "sim:" }).ConfigureAwait(false);
-        if (!context.Families.TryParseAddress(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncConnect.NotAnAddress", typed));
+        if (!context.Families.TryParseAddress(typed, out var address)) throw new CommandException(CommandFailure.Usage, context.Families.NotAnAddress(typed));
         try
         {
             var identity = await context.Machine.Connection.ConnectAsync(address is SimulatedAddress { HasExplicitSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
