@@ -24,7 +24,7 @@ internal sealed class SplineFit
     private readonly ChainPoint[] _places;
     private readonly double[] _shifts;
     private readonly bool[] _fixed;
-    private readonly (double Least, double Most)[] _errors;
+    private readonly (double Min, double Max)[] _errors;
 
     public SplineFit(SmoothChain chain, List<double> knots)
     {
@@ -44,7 +44,7 @@ internal sealed class SplineFit
     /// <summary>True when the spline runs backwards along the chain somewhere.</summary>
     public bool HasReversal { get; private set; }
 
-    public double ErrorOf(int segment) => Math.Max(Math.Abs(_errors[segment].Least), Math.Abs(_errors[segment].Most));
+    public double ErrorOf(int segment) => Math.Max(Math.Abs(_errors[segment].Min), Math.Abs(_errors[segment].Max));
 
     /// <summary>Largest distance at the samples.</summary>
     public double LargestError => Enumerable.Range(0, _errors.Length).Max(ErrorOf);
@@ -113,7 +113,7 @@ internal sealed class SplineFit
         {
             if (_fixed[i]) continue;
             var (before, after) = (_errors[i == 0 ? _errors.Length - 1 : i - 1], _errors[i]);
-            _shifts[i] -= Relaxation * (Math.Max(before.Most, after.Most) + Math.Min(before.Least, after.Least)) / 2.0;
+            _shifts[i] -= Relaxation * (Math.Max(before.Max, after.Max) + Math.Min(before.Min, after.Min)) / 2.0;
         }
 
         if (_chain.Closed) _shifts[last] = _shifts[0];

@@ -114,7 +114,7 @@ internal sealed class Job
         try
         {
             using var whole = _machine.Enter(_strategy.Whole);
-            await PrepareAsync().ConfigureAwait(false);
+            if (!await IsCompletedAsync(PrepareAsync).ConfigureAwait(false)) throw Stopped.ToException(); // a hold before the job's first motion
             await CutAsync().ConfigureAwait(false);
         }
         finally
@@ -137,16 +137,16 @@ internal sealed class Job
     {
         // The job would leave the controller's 32 bits.
         if (!_machine.Frame.ToController.IsInRange(MotionExtents.Of(_program))) throw JobEnd.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.Origin.X, _machine.Frame.Origin.Y)).ToException();
-        var isCut = await IsCutAsync(CutFromStartAsync).ConfigureAwait(false);
-        while (!isCut) isCut = await IsCutAsync(CutRestAsync).ConfigureAwait(false); // it may be given up again, also on the way back to the path
+        var isCut = await IsCompletedAsync(CutFromStartAsync).ConfigureAwait(false);
+        while (!isCut) isCut = await IsCompletedAsync(CutRestAsync).ConfigureAwait(false); // it may be given up again, also on the way back to the path
     }
 
     /// <returns>False where a hold has given up the motion.</returns>
-    private static async ValueTask<bool> IsCutAsync(Func<ValueTask> cut)
+    private static async ValueTask<bool> IsCompletedAsync(Func<ValueTask> step)
     {
         try
         {
-            await cut().ConfigureAwait(false);
+            await step().ConfigureAwait(false);
             return true;
         }
         catch (GivenUpException)

@@ -31,7 +31,7 @@ internal sealed class HomingRun
     /// <summary>Reads the inputs after one sample of motion.</summary>
     /// <param name="speed">Present speed; set to 0 when the stage ends without a ramp.</param>
     /// <returns>The stop code at the end of the move, null while it continues.</returns>
-    public int? Look(Axis axis, ref double speed)
+    public int? Advance(Axis axis, ref double speed)
     {
         switch (Phase)
         {

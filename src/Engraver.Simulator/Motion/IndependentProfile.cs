@@ -149,7 +149,7 @@ internal sealed class IndependentProfile(Axis axis)
         Direction = homing.Direction;
         Roll(homing.Speed);
         axis.PassSwitches();
-        return homing.Look(axis, ref _speed);
+        return homing.Advance(axis, ref _speed);
     }
 
     private void Roll(double commanded)

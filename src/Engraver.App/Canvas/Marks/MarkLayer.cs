@@ -30,7 +30,7 @@ internal sealed class MarkLayer : IPictureLayer
         {
             var reach = MarkShape.ReachOf(mark, scale);
             var pixel = view.ToPixels(mark.Place);
-            if (!IsSeen(pixel, reach, view) || !TryReserve(taken, pixel, mark)) continue;
+            if (!IsVisible(pixel, reach, view) || !TryReserve(taken, pixel, mark)) continue;
             _placed.Add((mark, pixel));
         }
     }
@@ -50,7 +50,7 @@ internal sealed class MarkLayer : IPictureLayer
         }
     }
 
-    private static bool IsSeen(Point2D pixel, double reach, CanvasView view) =>
+    private static bool IsVisible(Point2D pixel, double reach, CanvasView view) =>
         pixel.X >= -reach && pixel.Y >= -reach && pixel.X <= view.Size.Width + reach && pixel.Y <= view.Size.Height + reach;
 
     /// <summary>Reserves the cells of the screen that the mark needs; false if one of them is taken.</summary>

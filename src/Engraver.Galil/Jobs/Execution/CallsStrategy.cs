@@ -65,7 +65,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         using (machine.Enter(machine.Phase with
         {
             SegmentsDone = state => before + (state.Calls != calls && state.StopCode == StopCodes.SequenceEnded ? 1 : 0),
-            Expected = state => state.SequenceRunning ? watch.Look(0, machine.Here) : null,
+            Expected = state => state.SequenceRunning ? watch.Check(0, machine.Here) : null,
             Speed = state => state.Calls == calls ? PlannedSpeed.Of(speed) : null,
         }))
         {

@@ -132,7 +132,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         var watches = _sequences.Select(sequence => machine.WatchPath(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
         using var cutting = machine.Enter(machine.Phase with
         {
-            Expected = machine.Line is null ? state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : null : null,
+            Expected = machine.Line is null ? state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Check(state.Counter, machine.Here) : null : null,
             Speed = _sequences.Count > 0 ? PlannedSpeeds() : null,
             Place = state => progress.PlaceAt(state.Calls),
         });

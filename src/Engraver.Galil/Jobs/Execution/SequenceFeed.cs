@@ -189,7 +189,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return machine.Enter(machine.Phase with
         {
             SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent)),
-            Expected = state => state.SequenceRunning ? watch.Look(state.Counter, machine.Here) : null,
+            Expected = state => state.SequenceRunning ? watch.Check(state.Counter, machine.Here) : null,
             Speed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed), // at standstill when it runs dry
             WillMove = state => state.Counter < _sent,
             Throttle = () => _throttle.Now,

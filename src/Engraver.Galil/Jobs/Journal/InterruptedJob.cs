@@ -54,7 +54,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPosition Place, Jou
         foreach (var line in JobJournal.ReadLines(path))
         {
             var kind = CrashRecovery.Kind(line);
-            check.Look(line, kind);
+            check.Check(line, kind);
             if (kind is not null) job = After(job, kind, line);
         }
 

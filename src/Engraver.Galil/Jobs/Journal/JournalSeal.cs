@@ -51,7 +51,7 @@ internal sealed class JournalCheck
 
     /// <summary>Call with each line in turn.</summary>
     /// <param name="kind">Null for half a line.</param>
-    public void Look(string line, string? kind)
+    public void Check(string line, string? kind)
     {
         _lines++;
         if (kind is null || Fault.Length > 0) return;

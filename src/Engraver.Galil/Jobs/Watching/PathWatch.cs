@@ -32,7 +32,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     /// <param name="executed">Segments that were complete when the position was read.</param>
     /// <param name="place">Position, job frame.</param>
     /// <returns>Why the job ends; null where the machine is on its path.</returns>
-    public JobEnd? Look(int executed, CountsPoint place)
+    public JobEnd? Check(int executed, CountsPoint place)
     {
         var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), place);
         if (off <= Allowance) _inARow = 0;

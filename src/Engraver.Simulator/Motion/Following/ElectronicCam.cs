@@ -62,7 +62,7 @@ internal sealed class ElectronicCam
         if (Modulus > (long)Segments * Interval) throw new CommandRefusedException(Tc.CamModulusTooLarge);
         IsEnabled = true;
         WrapMaster();
-        Look();
+        Update();
     }
 
     /// <summary>EB 0, AB: every slave stops at once.</summary>
@@ -86,7 +86,7 @@ internal sealed class ElectronicCam
         var hits = 0;
         var distance = MasterPlace - _seen;
         WrapMaster();
-        Look();
+        Update();
         foreach (var follower in Followers)
         {
             if (follower.IsEngaged && follower.Axis.RunsIntoLimit(follower.Heading(this), out var code))
@@ -118,7 +118,7 @@ internal sealed class ElectronicCam
     }
 
     /// <summary>After EP or a step of the master: recomputes the phase and the cycle number.</summary>
-    public void Look()
+    public void Update()
     {
         _seen = MasterPlace;
         var turns = Math.Floor((MasterPlace - Shift) / Modulus);

@@ -17,7 +17,7 @@ public class PathWatchHeightTests
     {
         var watch = new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true);
 
-        Assert.Equal(leaves, watch.Look(0, new CountsPoint(x, 0, z)) is not null);
+        Assert.Equal(leaves, watch.Check(0, new CountsPoint(x, 0, z)) is not null);
     }
 
     [Fact]

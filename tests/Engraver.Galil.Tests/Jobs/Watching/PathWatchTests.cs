@@ -18,12 +18,12 @@ public class PathWatchTests
     [InlineData(5000, 2)]
     [InlineData(0, 0)]
     [InlineData(10000, 0)]
-    public void On_the_path_or_within_the_rounding_is_right(int x, int y) => Assert.Null(Level.Look(0, new(x, y)));
+    public void On_the_path_or_within_the_rounding_is_right(int x, int y) => Assert.Null(Level.Check(0, new(x, y)));
 
     [Fact]
     public void Along_an_axis_two_readings_at_different_times_lie_on_the_path_so_that_three_counts_are_off()
     {
-        var end = Level.Look(0, new(5000, 3))!;
+        var end = Level.Check(0, new(5000, 3))!;
 
         Assert.Equal(JobOutcome.Deviated, end.Outcome);
         Assert.Equal("The machine was at 5000,3 of the drawing (counts), 3 counts off the planned path, at drawing entity 4: a command was corrupted, or another program moves the axes. Check the workpiece, the cable and what else uses the controller.", end.Sentence);
@@ -36,14 +36,14 @@ public class PathWatchTests
         var seldom = Slanting;
         for (var i = 0; i < 100; i++)
         {
-            Assert.Null(seldom.Look(0, new(3000 + i, 3014 + i)));
-            Assert.Null(seldom.Look(0, new(3000 + i, 3000 + i)));
+            Assert.Null(seldom.Check(0, new(3000 + i, 3014 + i)));
+            Assert.Null(seldom.Check(0, new(3000 + i, 3000 + i)));
         }
 
         var always = Slanting;
-        for (var i = 0; i < 7; i++) Assert.Null(always.Look(0, new(3000 + i, 3014 + i)));
-        Assert.Equal(JobOutcome.Deviated, always.Look(0, new(3007, 3021))!.Outcome);
-        Assert.Equal(JobOutcome.Deviated, Slanting.Look(0, new(3000, 3020))!.Outcome);
+        for (var i = 0; i < 7; i++) Assert.Null(always.Check(0, new(3000 + i, 3014 + i)));
+        Assert.Equal(JobOutcome.Deviated, always.Check(0, new(3007, 3021))!.Outcome);
+        Assert.Equal(JobOutcome.Deviated, Slanting.Check(0, new(3000, 3020))!.Outcome);
     }
 
     [Fact]
@@ -52,8 +52,8 @@ public class PathWatchTests
         var paper = MotionPrograms.Paper.Strokes[0].Sequences[1];
         var watch = new PathWatch(paper.Start, paper.Segments, Speed, 0.001);
 
-        Assert.Null(watch.Look(1, new(10000, 20000)));
-        Assert.Equal(JobOutcome.Deviated, watch.Look(1, new(10000, 20030))!.Outcome);
+        Assert.Null(watch.Check(1, new(10000, 20000)));
+        Assert.Equal(JobOutcome.Deviated, watch.Check(1, new(10000, 20030))!.Outcome);
         Assert.Null(watch.LookAtEnd(new(5000, 5000)));
         Assert.Equal(JobOutcome.Deviated, watch.LookAtEnd(new(5000, 5003))!.Outcome);
     }
@@ -64,7 +64,7 @@ public class PathWatchTests
         var row = MotionPrograms.ShortLines(100, step: 60).Strokes[0].Sequences[0];
         var watch = new PathWatch(row.Start, row.Segments, Speed, 0.001);
 
-        Assert.Null(watch.Look(10, new(13 * 60, 1)));
-        Assert.Equal(JobOutcome.Deviated, watch.Look(10, new(40 * 60, 0))!.Outcome);
+        Assert.Null(watch.Check(10, new(13 * 60, 1)));
+        Assert.Equal(JobOutcome.Deviated, watch.Check(10, new(40 * 60, 0))!.Outcome);
     }
 }
