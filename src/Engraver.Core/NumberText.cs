@@ -22,5 +22,8 @@ public static class NumberText
     /// <summary>The shortest text from which the same number is read; very large and very small numbers have an exponent.</summary>
     public static string Exact(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
+    /// <summary>A whole number, without separators of thousands.</summary>
+    public static string Whole(long value) => value.ToString(CultureInfo.InvariantCulture);
+
     private static string[] Formats(char digit) => [.. Enumerable.Range(0, MaxDecimals + 1).Select(decimals => "0." + new string(digit, decimals))];
 }

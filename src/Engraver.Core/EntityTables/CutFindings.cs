@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
@@ -33,8 +32,8 @@ public static class CutFindings
 
     private static void AddHeights(List<Diagnostic> findings, Drawing drawing, CutExtent extent)
     {
-        if (extent.Slanted is { Count: > 0 } slanted) findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), Whole(slanted.Count), FactText.Of(slanted.Low, 3), FactText.Of(slanted.High, 3)));
-        if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, Whole(extent.Levels), FactText.Of(extent.Low, 3), FactText.Of(extent.High, 3)));
+        if (extent.Slanted is { Count: > 0 } slanted) findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), NumberText.Whole(slanted.Count), FactText.Of(slanted.Low, 3), FactText.Of(slanted.High, 3)));
+        if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, NumberText.Whole(extent.Levels), FactText.Of(extent.Low, 3), FactText.Of(extent.High, 3)));
         else if (Math.Abs(extent.Low) > extent.Tolerance && extent.Slanted.Count == 0) findings.Add(PreparationRules.OneHeight.At(default, FactText.Of(extent.Low, 3)));
     }
 
@@ -58,6 +57,4 @@ public static class CutFindings
             ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, FactText.Of(scale.ToDrawing(bounds.Width), 3), FactText.Of(scale.ToDrawing(bounds.Height), 3))
             : Wording.Get(isStated ? "CutFindings.StatedUnitBuilding" : "CutFindings.AssumedUnitBuilding", unit.Name);
     }
-
-    private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);
 }

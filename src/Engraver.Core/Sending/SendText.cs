@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts.Agie;
@@ -42,7 +41,7 @@ public static class SendText
     public static Diagnostic? TooLong(IReadOnlyList<ReadOnlyMemory<byte>> program)
     {
         var blocks = program.Count(line => line.Span.Trim((byte)' ') is var words && !words.IsEmpty && !words.SequenceEqual("%"u8));
-        return blocks > AgieText.MaxBlocks ? SendingRules.TooManyBlocks.At(default, Text(blocks), Text(AgieText.MaxBlocks)) : null;
+        return blocks > AgieText.MaxBlocks ? SendingRules.TooManyBlocks.At(default, NumberText.Whole(blocks), NumberText.Whole(AgieText.MaxBlocks)) : null;
     }
 
     /// <summary>All characters to send, in their bits; or the reason why they cannot be sent.</summary>
@@ -54,7 +53,7 @@ public static class SendText
         for (var i = 0; i < lines.Count; i++)
         {
             if (frame.Largest() < byte.MaxValue && lines[i].Span.IndexOfAnyInRange((byte)(frame.Largest() + 1), byte.MaxValue) is >= 0 and var at)
-                return new SendEncoding(null, SendingRules.CharacterTooLarge.At(new SourceRef(i + 1), Text(lines[i].Span[at]), Text(at + 1), Text(i + 1), frame.Name()));
+                return new SendEncoding(null, SendingRules.CharacterTooLarge.At(new SourceRef(i + 1), NumberText.Whole(lines[i].Span[at]), NumberText.Whole(at + 1), NumberText.Whole(i + 1), frame.Name()));
         }
 
         var end = Encoding.Latin1.GetBytes(format.LineEnd);
@@ -66,6 +65,4 @@ public static class SendText
             return characters;
         }
     }
-
-    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 }

@@ -1,4 +1,4 @@
-using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
@@ -30,8 +30,8 @@ public static class ReadBackRun
         ArgumentNullException.ThrowIfNull(chunk);
         ArgumentNullException.ThrowIfNull(channel);
         var start = new SourceRef(chunk.FirstLine);
-        if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, Number((int)unloaded.Code), unloaded.Text);
-        return await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted ? VerificationRules.NotLoaded.At(start, Number((int)unstarted.Code), unstarted.Text) : null;
+        if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, NumberText.Whole((int)unloaded.Code), unloaded.Text);
+        return await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted ? VerificationRules.NotLoaded.At(start, NumberText.Whole((int)unstarted.Code), unstarted.Text) : null;
     }
 
     /// <summary>The line that the controller refused while the chunk ran; null for none. _ED1 is -1 while no line was refused; _ED counts lines from
@@ -44,8 +44,6 @@ public static class ReadBackRun
         var (line, thread, code) = ((int)reading.Values[0], (int)reading.Values[1], (TcCode)reading.Values[2]);
         if (thread < 0) return null;
         var text = line < chunk.Lines.Count ? chunk.Lines[line] : Wording.Get("ReadBackRun.AfterLastLine");
-        return VerificationRules.LineRefused.At(new SourceRef(chunk.FirstLine + Math.Min(line, chunk.Lines.Count - 1)), text, Number((int)code), TcCodes.Text(code));
+        return VerificationRules.LineRefused.At(new SourceRef(chunk.FirstLine + Math.Min(line, chunk.Lines.Count - 1)), text, NumberText.Whole((int)code), TcCodes.Text(code));
     }
-
-    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

@@ -1,4 +1,4 @@
-using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts.Agie;
 using Engraver.Core.Sending;
@@ -28,11 +28,9 @@ public sealed class SendFile
     /// <param name="program">From 1; null if the file contains one.</param>
     public SendEncoding Encode(int? program, SendFormat format, CharacterFrame frame)
     {
-        if (program is null && Programs.Count > 1) return new SendEncoding(null, SendingRules.SeveralPrograms.At(default, Text(Programs.Count)));
-        if (program is < 1 || program > Programs.Count) return new SendEncoding(null, SendingRules.NoSuchProgram.At(default, Text(program.Value), Text(Programs.Count)));
+        if (program is null && Programs.Count > 1) return new SendEncoding(null, SendingRules.SeveralPrograms.At(default, NumberText.Whole(Programs.Count)));
+        if (program is < 1 || program > Programs.Count) return new SendEncoding(null, SendingRules.NoSuchProgram.At(default, NumberText.Whole(program.Value), NumberText.Whole(Programs.Count)));
         var lines = Programs[(program ?? 1) - 1];
         return _isAgie && SendText.TooLong(lines) is { } tooLong ? new SendEncoding(null, tooLong) : SendText.Encode(lines, format, frame);
     }
-
-    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 }

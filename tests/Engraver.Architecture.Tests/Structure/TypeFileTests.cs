@@ -12,9 +12,6 @@ public partial class TypeFileTests
     private static readonly Lazy<IReadOnlyList<SourceFile>> s_files = new(() => SourceFile.Under("src", ".cs"));
 
     [Fact]
-    public void No_type_is_in_two_files() => AssertNone(InTwoFiles(s_files.Value));
-
-    [Fact]
     public void A_type_that_is_used_outside_its_folder_is_in_a_file_of_its_name() => AssertNone(UsedOutside(s_files.Value));
 
     [Fact]
@@ -22,13 +19,6 @@ public partial class TypeFileTests
 
     [Fact]
     public void No_two_types_have_one_name() => AssertNone(NamedTwice(s_files.Value));
-
-    [Fact]
-    public void A_type_in_two_files_is_noticed()
-    {
-        Assert.Equal(["P.One: src/P/One.Inner.cs, src/P/One.cs"], InTwoFiles([new("src/P/One.Inner.cs", "namespace P; partial class One { }"), new("src/P/One.cs", "namespace P; partial class One { class Two { } }")]));
-        Assert.Empty(InTwoFiles([new("src/P/One.cs", "namespace P; class One { } class One<T> { }"), new("src/Q/One.cs", "namespace Q; class One { }")]));
-    }
 
     [Theory]
     [InlineData("namespace P.B; class User { Small one; }", true)]
@@ -65,10 +55,6 @@ public partial class TypeFileTests
     /// <summary>The types without those of the back ends of the desktop, of which one is compiled.</summary>
     private static IEnumerable<DeclaredType> Types(IEnumerable<SourceFile> files) =>
         files.Where(file => !file.Name.StartsWith("src/Engraver.App/Platforms/", StringComparison.Ordinal)).SelectMany(DeclaredType.In);
-
-    private static IEnumerable<string> InTwoFiles(IEnumerable<SourceFile> files) =>
-        Types(files).GroupBy(type => (type.Namespace, type.Name, type.Arity)).Where(type => FilesOf(type).Count > 1)
-            .Select(type => $"{type.Key.Namespace}.{type.Key.Name}: {string.Join(", ", FilesOf(type))}").Order(StringComparer.Ordinal);
 
     /// <summary>The name of the type is in the code of a file of another folder that can see its namespace.</summary>
     private static IEnumerable<string> UsedOutside(IReadOnlyList<SourceFile> files)

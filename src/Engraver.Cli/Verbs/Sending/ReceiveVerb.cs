@@ -1,6 +1,6 @@
 using System.CommandLine;
-using System.Globalization;
 using System.Text;
+using Engraver.Core;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
@@ -39,7 +39,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         var characters = receiver.Characters.ToArray();
         var lines = SendText.Lines(characters);
         var file = characters.Length == 0 ? null : end == ReceiveEnd.Complete ? path : path + IncompleteSuffix;
-        IReadOnlyList<Diagnostic> findings = receiver.Damaged == 0 ? [] : [SendingRules.ParityWrong.At(new SourceRef(receiver.FirstDamagedLine), Text(receiver.Damaged), Text(receiver.FirstDamagedLine), address.Frame.Name())];
+        IReadOnlyList<Diagnostic> findings = receiver.Damaged == 0 ? [] : [SendingRules.ParityWrong.At(new SourceRef(receiver.FirstDamagedLine), NumberText.Whole(receiver.Damaged), NumberText.Whole(receiver.FirstDamagedLine), address.Frame.Name())];
         if (file is not null) host.Write(file, writer => writer.Write(string.Concat(lines.Select(line => Encoding.Latin1.GetString(line.Span) + "\n"))));
         if (parsed.GetValue(_json)) ContractJson.Write(host.Out, new ReceiveJson(Word(end), file, lines.Count, characters.Length, receiver.Damaged, [.. findings.Select(DiagnosticJson.From)]), SendContract.Default.ReceiveJson);
         else await host.Out.WriteLineAsync(Wording.Get("Receive.Received", lines.Count, characters.Length)).ConfigureAwait(false);
@@ -71,8 +71,6 @@ internal sealed class ReceiveVerb(VerbHost host)
     }
 
     private static string Word(ReceiveEnd end) => end switch { ReceiveEnd.Complete => "complete", ReceiveEnd.Stopped => "stopped", ReceiveEnd.Silent => "silent", _ => "linkLost" };
-
-    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>Shows each received line.</summary>
     private sealed class LineCount(TextWriter error) : IProgress<int>

@@ -45,7 +45,7 @@ internal sealed class ImportLog(string placeWord)
         var result = new List<Diagnostic>(_diagnostics);
         foreach (var (rule, count) in _counts.Where(entry => entry.Value > ShownPerRule).OrderBy(entry => entry.Key.Id, StringComparer.Ordinal))
         {
-            result.Add(DxfRules.MoreOfTheSame.At(default, rule.Id, Text(count), Text(ShownPerRule)));
+            result.Add(DxfRules.MoreOfTheSame.At(default, rule.Id, NumberText.Whole(count), NumberText.Whole(ShownPerRule)));
         }
 
         return result;
@@ -57,8 +57,6 @@ internal sealed class ImportLog(string placeWord)
         var sentence = issue.Rule.At(default, issue.Type, "", issue.Detail).Sentence;
         return sentence[(sentence.IndexOf(": ", StringComparison.Ordinal) + 2)..];
     }
-
-    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     private static string? HandleText(ulong handle) => handle == 0 ? null : handle.ToString("X", CultureInfo.InvariantCulture);
 

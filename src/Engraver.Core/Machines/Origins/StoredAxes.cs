@@ -30,15 +30,15 @@ public readonly record struct StoredAxes(StoredAxis? X, StoredAxis? Y, StoredAxi
     public AxisDifference? DifferenceFrom(MachineProfile profile)
     {
         var now = Of(profile);
-        return Difference("X", X, now.X) ?? Difference("Y", Y, now.Y) ?? Difference("Z", Z, now.Z);
+        return Difference(0, X, now.X) ?? Difference(1, Y, now.Y) ?? Difference(2, Z, now.Z);
     }
 
     private static StoredAxis Of(MachineAxis axis) => new(axis.CountsPerMillimetre, axis.Letter);
 
     private static StoredAxis? Or(StoredAxis? known, StoredAxis? other) => known is { } axis ? axis with { Letter = axis.Letter ?? other?.Letter } : other;
 
-    private static AxisDifference? Difference(string axis, StoredAxis? then, StoredAxis? now) =>
-        then is { } was && now is { } present && (was.Counts != present.Counts || (was.Letter is { } letter && letter != present.Letter)) ? new AxisDifference(axis, was, present) : null;
+    private static AxisDifference? Difference(int axis, StoredAxis? then, StoredAxis? now) =>
+        then is { } was && now is { } present && (was.Counts != present.Counts || (was.Letter is { } letter && letter != present.Letter)) ? new AxisDifference(MachineAxes.Names[axis].ToString(), was, present) : null;
 }
 
 /// <summary>An axis of the drawing that two machine profiles describe differently.</summary>

@@ -105,7 +105,7 @@ public static class WorkPlacement
         if (!profile.Scale.IsInRange(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, NumberText.Rounded(at.X, 3), NumberText.Rounded(at.Y, 3)));
         if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
         if (memory.ActiveOrigin is { Z: not null } origin && (ZeroDoubt(memory, place) ?? OtherAxes(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
-        return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
+        return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, MachineAxes.Names[2].ToString()));
     }
 
     /// <summary>Where no origin was set and the controller counts 0 in all axes, a job's work is assumed to be there, in height as in plan, and the list before
@@ -118,9 +118,9 @@ public static class WorkPlacement
         if (memory.ActiveOrigin is { } origin)
         {
             if (OtherAxes(memory.Active, origin, profile) is { } other) return Refused(other);
-            if (origin.Plane is not { } set) return Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, origin.X is null ? "X" : "Y"));
+            if (origin.Plane is not { } set) return Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, MachineAxes.Names[origin.X is null ? 0 : 1].ToString()));
             if (profile.Height is null) return Placed(set with { Z = 0 }, OriginSource.Work);
-            return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
+            return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, MachineAxes.Names[2].ToString()));
         }
 
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };

@@ -44,10 +44,8 @@ internal static class AgieText
             written += part;
         }
 
-        return new PostOutput(chunks, parts.Count <= 1 ? [] : [PostRules.ProgramParted.At(default, Number(steps.Count), Number(MaxBlocks), Number(parts.Count))]);
+        return new PostOutput(chunks, parts.Count <= 1 ? [] : [PostRules.ProgramParted.At(default, NumberText.Whole(steps.Count), NumberText.Whole(MaxBlocks), NumberText.Whole(parts.Count))]);
     }
-
-    private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>One program; each line ends with LF.</summary>
     private static string Program(IEnumerable<AgieStep> steps, bool ownLine)

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
@@ -104,7 +105,7 @@ internal sealed class ChunkPacker
     {
         var entity = rest.Sequences[0].Segments[0].EntityIndex;
         _diagnostics.Add(MotionRules.StrokeCutByMemory.At(
-            _sourceOf?.Invoke(entity) ?? default, Text(rest.Index), Text(_options.MemoryLines), Text(rest.Start.X), Text(rest.Start.Y)));
+            _sourceOf?.Invoke(entity) ?? default, NumberText.Whole(rest.Index), NumberText.Whole(_options.MemoryLines), NumberText.Whole(rest.Start.X), NumberText.Whole(rest.Start.Y)));
     }
 
     private PackedJob Finish()
@@ -124,6 +125,4 @@ internal sealed class ChunkPacker
     }
 
     private static int SegmentsOf(MotionStroke stroke) => stroke.SegmentCount;
-
-    private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
 }

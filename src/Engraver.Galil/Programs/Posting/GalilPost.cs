@@ -19,7 +19,7 @@ public sealed class GalilPost : IPost
         "memory",
         "LINES",
         Wording.Get("GalilPost.Memory"),
-        Text(DmcLimits.ProgramLines),
+        NumberText.Whole(DmcLimits.ProgramLines),
         Wording.Get("GalilPost.MemoryValues", MinLines, DmcLimits.ProgramLines),
         value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= MinLines and <= DmcLimits.ProgramLines);
 
@@ -97,6 +97,4 @@ public sealed class GalilPost : IPost
         var origin = scale.ToCounts(at);
         return new ControllerFrame(default, origin).IsInRange(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;
     }
-
-    private static string Text(int lines) => lines.ToString(CultureInfo.InvariantCulture);
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Galil.Language;
@@ -57,7 +58,7 @@ public sealed partial class ReadBackProgram(TextReader text)
     private (ReadBackChunk? Chunk, Diagnostic? Fault) Last(int first, List<string> lines, int full)
     {
         if (full == 0) return (null, _hasAny ? null : VerificationRules.ProgramEmpty.At(default));
-        if (_marks > 0 && Number(_marks) != _count) return (null, VerificationRules.ChunksIncomplete.At(new SourceRef(first + full - 1), Number(_marks + 1), _count, Wording.Get("ReadBackProgram.EndOfFile")));
+        if (_marks > 0 && NumberText.Whole(_marks) != _count) return (null, VerificationRules.ChunksIncomplete.At(new SourceRef(first + full - 1), NumberText.Whole(_marks + 1), _count, Wording.Get("ReadBackProgram.EndOfFile")));
         if (full < lines.Count) lines.RemoveRange(full, lines.Count - full);
         lines[^1] = lines[^1].TrimEnd(' ');
         return Whole(first, lines);
@@ -71,7 +72,7 @@ public sealed partial class ReadBackProgram(TextReader text)
 
     private Diagnostic? Misplaced(Match mark, string row)
     {
-        var (isFirst, wanted) = (_marks == 0, Number(++_marks));
+        var (isFirst, wanted) = (_marks == 0, NumberText.Whole(++_marks));
         if (isFirst) _count = mark.Groups["count"].Value;
         var isRight = mark.Groups["number"].Value == wanted && mark.Groups["count"].Value == _count && (!isFirst || _lines.Number == 1);
         return isRight ? null : VerificationRules.ChunksIncomplete.At(new SourceRef(_lines.Number), wanted, _count, row);
@@ -86,8 +87,6 @@ public sealed partial class ReadBackProgram(TextReader text)
     }
 
     private static bool IsEntry(string line) => line.Split(';')[0].Trim() == Entry;
-
-    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 
     [GeneratedRegex(@"^'CHUNK (?<number>[0-9]{1,9}) OF (?<count>[0-9]{1,9})\s*$", RegexOptions.CultureInvariant)]
     private static partial Regex ChunkMark();
