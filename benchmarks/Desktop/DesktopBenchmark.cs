@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using System.Globalization;
 using Avalonia.Controls;
-using Engraver.Benchmarks.Canvas;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
+using Engraver.Benchmarks.Canvas;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Benchmarks.Desktop;

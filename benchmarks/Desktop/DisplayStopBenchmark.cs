@@ -1,10 +1,10 @@
 using System.Diagnostics;
 using Avalonia.Threading;
-using Engraver.Benchmarks.Canvas;
-using Engraver.Benchmarks.Stops;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Desk;
 using Engraver.App.Shell;
+using Engraver.Benchmarks.Canvas;
+using Engraver.Benchmarks.Stops;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
 

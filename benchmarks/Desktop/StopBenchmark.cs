@@ -1,10 +1,10 @@
 using System.Diagnostics;
 using Avalonia.Input;
-using Engraver.Benchmarks.Canvas;
-using Engraver.Benchmarks.Stops;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
+using Engraver.Benchmarks.Canvas;
+using Engraver.Benchmarks.Stops;
 using Engraver.Simulator;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.Workbench.Machines;

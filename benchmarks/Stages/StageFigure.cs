@@ -1,18 +1,4 @@
 using System.Globalization;
-using System.Text;
-using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Writing;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Posts;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Settings;
-using Engraver.Workbench.Stages;
-using Engraver.Workbench.Verification;
 
 namespace Engraver.Benchmarks.Stages;
 

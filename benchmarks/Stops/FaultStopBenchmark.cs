@@ -3,7 +3,6 @@ using Engraver.Core.Dxf;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Stops;

@@ -1,6 +1,6 @@
+using Engraver.Benchmarks.Stages;
 using Engraver.Samples.Dxf;
 using Engraver.Samples.Geometry;
-using Engraver.Benchmarks.Stages;
 
 namespace Engraver.Samples;
 

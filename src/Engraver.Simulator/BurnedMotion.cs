@@ -1,7 +1,3 @@
-using Engraver.Simulator.Motion;
-using Engraver.Simulator.Motion.Following;
-using Engraver.Simulator.Values;
-
 namespace Engraver.Simulator;
 
 /// <summary>Parameters burned with BN before the simulation starts (galil-dmc.md A.6); RS restores them.</summary>

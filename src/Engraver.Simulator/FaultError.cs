@@ -1,5 +1,3 @@
-using Engraver.Simulator.Motion;
-
 namespace Engraver.Simulator;
 
 /// <summary>The error in a fault.</summary>

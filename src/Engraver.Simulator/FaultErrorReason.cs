@@ -1,5 +1,3 @@
-using Engraver.Simulator.Motion;
-
 namespace Engraver.Simulator;
 
 /// <summary>The reason why a fault cannot occur.</summary>

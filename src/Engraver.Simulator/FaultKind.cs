@@ -1,5 +1,3 @@
-using Engraver.Simulator.Motion;
-
 namespace Engraver.Simulator;
 
 /// <summary>The kinds of scheduled faults.</summary>

@@ -1,5 +1,3 @@
-using System.Net;
-
 namespace Engraver.Simulator;
 
 /// <summary>Separator of two numbers of one message (galil-dmc.md A.3).</summary>

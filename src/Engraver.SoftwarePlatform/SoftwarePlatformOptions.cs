@@ -1,5 +1,3 @@
-using Engraver.SoftwarePlatform.Headless;
-
 namespace Engraver.SoftwarePlatform;
 
 /// <summary>Options of <see cref="AppBuilderExtensions.UseSoftwarePlatform"/>. All have usable defaults.</summary>

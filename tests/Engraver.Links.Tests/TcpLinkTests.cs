@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Core.Machines;
-using Engraver.Links;
 
 namespace Engraver.Links.Tests;
 

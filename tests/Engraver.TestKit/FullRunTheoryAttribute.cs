@@ -1,5 +1,4 @@
 using Xunit;
-using Xunit.Abstractions;
 using Xunit.Sdk;
 
 namespace Engraver.TestKit;

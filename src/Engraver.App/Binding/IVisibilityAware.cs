@@ -1,6 +1,3 @@
-using System.ComponentModel;
-using System.Runtime.CompilerServices;
-
 namespace Engraver.App.Binding;
 
 /// <summary>State of a page that computes nothing while the page is hidden and is updated when it becomes visible.</summary>

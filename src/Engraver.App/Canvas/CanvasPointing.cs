@@ -1,6 +1,5 @@
 using Avalonia;
 using Engraver.App.Canvas.Interaction;
-using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Picking;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;

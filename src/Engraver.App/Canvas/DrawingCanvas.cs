@@ -10,7 +10,6 @@ using Engraver.App.Canvas.Pictures;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;

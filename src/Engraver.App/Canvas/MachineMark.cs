@@ -1,6 +1,3 @@
-using Avalonia.Controls;
-using Avalonia.Layout;
-using Avalonia.Media;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 

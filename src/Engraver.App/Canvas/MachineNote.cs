@@ -1,8 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Layout;
 using Avalonia.Media;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
 

@@ -2,10 +2,8 @@ using Engraver.App.Canvas;
 using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 

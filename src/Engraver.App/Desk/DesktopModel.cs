@@ -1,7 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Views;

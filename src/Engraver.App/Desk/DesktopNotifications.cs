@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using Avalonia.Threading;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Desk;

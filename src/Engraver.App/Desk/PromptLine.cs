@@ -1,9 +1,3 @@
-using System.Globalization;
-using Engraver.App.Canvas;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.App.Desk;
 
 /// <summary>The text of a prompt as the desktop shows it.</summary>

@@ -1,4 +1,3 @@
-using Engraver.App.Texts;
 using Engraver.Core.Languages;
 
 namespace Engraver.App.FileDialogs;

@@ -7,7 +7,6 @@ using Engraver.App.Canvas.Rasterising;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Canvas.Views;
 using Engraver.App.Texts;
-using Engraver.Core.Languages;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;

@@ -1,6 +1,3 @@
-using Engraver.App.Texts;
-using Engraver.Core.Languages;
-
 namespace Engraver.App.FileDialogs;
 
 /// <summary>The sample drawings that come with the program.</summary>

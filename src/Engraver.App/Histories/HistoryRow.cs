@@ -1,6 +1,4 @@
 using System.Globalization;
-using Engraver.App.Binding;
-using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;

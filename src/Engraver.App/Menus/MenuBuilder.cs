@@ -4,8 +4,6 @@ using Avalonia.Controls.Primitives;
 using Avalonia.Layout;
 using Avalonia.VisualTree;
 using Engraver.App.Texts;
-using Engraver.Workbench.Commands;
-using Engraver.Workbench.Settings;
 using ICommand = System.Windows.Input.ICommand;
 
 namespace Engraver.App.Menus;

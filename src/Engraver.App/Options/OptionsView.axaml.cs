@@ -3,7 +3,6 @@ using Avalonia.Controls;
 using Avalonia.Controls.Primitives;
 using Avalonia.Input;
 using Avalonia.Threading;
-using Engraver.App.Desk;
 
 namespace Engraver.App.Options;
 

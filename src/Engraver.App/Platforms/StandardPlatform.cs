@@ -1,6 +1,6 @@
 using Avalonia;
-using Engraver.App.Shell;
 using Engraver.App.Sessions;
+using Engraver.App.Shell;
 
 namespace Engraver.App.Platforms;
 

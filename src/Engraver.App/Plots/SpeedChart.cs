@@ -5,7 +5,6 @@ using Avalonia.Controls.Documents;
 using Avalonia.Input;
 using Avalonia.Media;
 using Engraver.App.Texts;
-using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Plots;
 

@@ -1,10 +1,3 @@
-using System.Globalization;
-using Avalonia;
-using Avalonia.Controls;
-using Avalonia.Controls.Documents;
-using Avalonia.Input;
-using Avalonia.Media;
-using Engraver.App.Texts;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Plots;

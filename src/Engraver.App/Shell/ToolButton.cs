@@ -1,11 +1,5 @@
 using System.Windows.Input;
-using Avalonia;
-using Avalonia.Controls;
 using Avalonia.Media;
-using Engraver.App.Binding;
-using Engraver.App.Desk;
-using Engraver.App.Menus;
-using Engraver.App.Texts;
 
 namespace Engraver.App.Shell;
 

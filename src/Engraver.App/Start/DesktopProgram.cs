@@ -2,11 +2,11 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
-using Engraver.Benchmarks.Desktop;
 using Engraver.App.Platforms;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
 using Engraver.App.Texts;
+using Engraver.Benchmarks.Desktop;
 
 namespace Engraver.App.Start;
 

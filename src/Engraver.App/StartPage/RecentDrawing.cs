@@ -1,4 +1,3 @@
-using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Core.Languages;
 

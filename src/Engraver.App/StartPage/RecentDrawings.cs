@@ -1,6 +1,4 @@
 using Engraver.App.Desk;
-using Engraver.App.Texts;
-using Engraver.Core.Languages;
 
 namespace Engraver.App.StartPage;
 

@@ -1,6 +1,5 @@
 using Avalonia.Threading;
 using Engraver.App.Desk;
-using Engraver.App.Texts;
 
 namespace Engraver.App.StatusBar;
 

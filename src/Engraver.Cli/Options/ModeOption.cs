@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;

@@ -5,7 +5,6 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines.Origins;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
 

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Core.Languages;
 using Engraver.Workbench.Settings;
 

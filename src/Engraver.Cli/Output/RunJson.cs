@@ -1,5 +1,4 @@
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Cli.Output;
 

@@ -1,4 +1,3 @@
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Cli.Output;

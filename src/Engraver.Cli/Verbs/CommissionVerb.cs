@@ -3,7 +3,6 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Commands;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;

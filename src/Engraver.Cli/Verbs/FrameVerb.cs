@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Machines;

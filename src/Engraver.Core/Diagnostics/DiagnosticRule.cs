@@ -1,8 +1,4 @@
 using System.Collections.Immutable;
-using System.Globalization;
-using System.Text;
-using Engraver.Core.Geometry;
-using Engraver.Core.Languages;
 
 namespace Engraver.Core.Diagnostics;
 

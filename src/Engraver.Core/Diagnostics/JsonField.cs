@@ -1,7 +1,3 @@
-using System.Text;
-using System.Text.Json;
-using Engraver.Core.Languages;
-
 namespace Engraver.Core.Diagnostics;
 
 /// <summary>A field of a JSON file.</summary>

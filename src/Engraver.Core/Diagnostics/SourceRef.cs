@@ -1,9 +1,3 @@
-using System.Collections.Immutable;
-using System.Globalization;
-using System.Text;
-using Engraver.Core.Geometry;
-using Engraver.Core.Languages;
-
 namespace Engraver.Core.Diagnostics;
 
 /// <summary>Where in the drawing a finding is. <c>default</c> means the drawing as a whole.</summary>

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Drawings;
 
 /// <summary>Lengths by kind, along the curves in space, drawing units. The straight parts of polylines count as lines, their bulge parts as arcs.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Drawings;
 
 /// <summary>Numbers of curves: the lines and arcs of polylines are counted, and the polylines themselves.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Drawings;
 
 /// <summary>Position of the reference point along the text's line (group 72 of TEXT).</summary>

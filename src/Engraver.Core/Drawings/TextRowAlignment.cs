@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Drawings;
 
 /// <summary>Position of the reference point across the text's line (group 73 of TEXT).</summary>

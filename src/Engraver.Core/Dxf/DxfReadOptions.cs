@@ -1,10 +1,5 @@
-using System.Buffers;
-using System.Runtime.InteropServices;
-using System.Text;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
-using Engraver.Core.Dxf.Tags;
 
 namespace Engraver.Core.Dxf;
 

@@ -1,9 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
-using Engraver.Core.Offsets;
-using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Kerf;
 

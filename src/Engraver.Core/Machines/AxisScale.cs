@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Converts between millimetres and counts of one axis.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>The ends of an axis' travel, machine mm from the controller's own zero; both may be reached.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0;

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>The cost of a job, by its parts.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>The hold state of a running job.</summary>

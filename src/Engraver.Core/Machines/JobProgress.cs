@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Progress of a job, by the controller's last report.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>The cause of an end with <see cref="JobOutcome.LinkLost"/>.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Which axes of the controller move the drawing's X and Y and the tool's height, and their counts per millimetre: the only place for axis letters and

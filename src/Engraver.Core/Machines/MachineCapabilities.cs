@@ -1,8 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
-using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Machines.Setup;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>What a connection can do. A capability that is null does not exist, so a caller can check it instead of calling a method that throws.</summary>

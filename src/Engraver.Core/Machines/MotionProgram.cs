@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>What the controller executes, in counts, before it is written as commands: stream, calls and posts are made from the same value.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (at rest between two of them), tool off. Where an axis

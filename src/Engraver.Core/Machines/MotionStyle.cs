@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>How the segments of a stroke are grouped into sequences; it decides from which point the arcs of a sequence are computed.</summary>

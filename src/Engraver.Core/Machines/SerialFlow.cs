@@ -1,6 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
-using System.Globalization;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Flow control of a serial line.</summary>

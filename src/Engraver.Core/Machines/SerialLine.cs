@@ -1,6 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
-using System.Globalization;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Properties of a serial line: one connection for all traffic, an echo of each character while EO is 1, and a transmission time for every

@@ -1,8 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
-using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Machines.Setup;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>Speeds that a capability allows: counts/s for a jog, factors of the programmed feed for an override.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>One VP or CR of a vector sequence, in counts of the job's frame.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>VM ... VE: segments that are cut without a stop. It begins at the present position of the machine.</summary>

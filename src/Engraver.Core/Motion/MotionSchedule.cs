@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;

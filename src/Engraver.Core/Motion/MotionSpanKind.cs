@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-
 namespace Engraver.Core.Motion;
 
 /// <summary>What the machine does in a span of planned time.</summary>

@@ -1,6 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-
 namespace Engraver.Core.Motion;
 
 /// <summary>The parts in which a program was loaded and run one after the other.</summary>

@@ -1,5 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 

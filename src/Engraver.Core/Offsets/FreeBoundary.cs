@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Offsets;
 
 /// <summary>The edges of the raw graph that bound the free area, and the loops that they form.</summary>

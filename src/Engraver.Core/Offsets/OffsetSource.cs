@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Offsets;
 
 /// <summary>Source of a segment of an offset.</summary>

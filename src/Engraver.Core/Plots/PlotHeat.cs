@@ -1,7 +1,3 @@
-using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
-using Engraver.Core.Toolpaths;
-
 namespace Engraver.Core.Plots;
 
 /// <summary>Meaning of the colours of a run, in words.</summary>

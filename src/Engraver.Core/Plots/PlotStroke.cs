@@ -1,6 +1,4 @@
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
-using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Plots;
 

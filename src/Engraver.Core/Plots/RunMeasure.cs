@@ -1,7 +1,3 @@
-using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
-using Engraver.Core.Verification;
-
 namespace Engraver.Core.Plots;
 
 /// <summary>The quantity that a picture of a run shows as colour.</summary>

@@ -1,4 +1,3 @@
-using Engraver.Core.Offsets;
 using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;

@@ -1,6 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Core.Offsets.Pieces;
-
 namespace Engraver.Core.Pockets;
 
 /// <summary>Purpose of a pass.</summary>

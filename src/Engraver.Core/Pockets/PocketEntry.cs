@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Pockets;
 
 /// <summary>Entry of the tool to the depth of a stroke.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Pockets;
 
 /// <summary>Strategy for cutting the inside of a pocket.</summary>

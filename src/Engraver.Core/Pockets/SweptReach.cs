@@ -1,5 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Offsets;
 using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;

@@ -1,7 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;

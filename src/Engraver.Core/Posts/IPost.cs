@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 

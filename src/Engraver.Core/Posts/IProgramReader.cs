@@ -1,7 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts;
 

@@ -1,7 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Core.Toolpaths;
-
 namespace Engraver.Core.Posts;
 
 /// <summary>The input of a post.</summary>

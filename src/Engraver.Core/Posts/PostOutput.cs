@@ -1,6 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Posts;
 
 /// <summary>Requirements of a job for its program in addition to the path and the settings of the machine: the options of the post, which no drawing

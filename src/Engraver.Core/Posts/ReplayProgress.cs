@@ -1,8 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Verification;
-
 namespace Engraver.Core.Posts;
 
 /// <summary>Progress of a replay.</summary>

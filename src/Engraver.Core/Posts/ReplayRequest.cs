@@ -1,4 +1,3 @@
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Verification;

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Reshaping;
 
 /// <summary>The result of trimming or breaking an object: the removed and the remaining parts together are the whole object.</summary>

@@ -1,7 +1,4 @@
-using System.Globalization;
-using System.Text;
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Posts.Agie;
 
 namespace Engraver.Core.Sending;
 

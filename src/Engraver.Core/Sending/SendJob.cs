@@ -1,8 +1,3 @@
-using System.Globalization;
-using System.Text;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Posts.Agie;
-
 namespace Engraver.Core.Sending;
 
 /// <summary>The transmission: every character in its bits.</summary>

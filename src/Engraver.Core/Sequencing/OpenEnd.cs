@@ -1,8 +1,4 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;

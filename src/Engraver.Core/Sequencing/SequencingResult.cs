@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 

@@ -1,5 +1,4 @@
 using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Trajectories;
 
 /// <summary>Treatment of corners (sharper than 0.05 degrees).</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Trajectories;
 
 /// <summary>Options of trajectories.</summary>

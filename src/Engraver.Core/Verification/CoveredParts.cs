@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Verification;
 
 /// <summary>Parameter intervals of one segment that have been covered. All are kept, however short: where a cut briefly follows another segment, a neighbour

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Verification;
 
 /// <summary>Compares the motion of a machine with a drawing while it is reported: in plan (<see cref="TraceJudge"/>), or in three coordinates

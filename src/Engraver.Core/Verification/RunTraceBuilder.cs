@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-using System.Security.Cryptography;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;

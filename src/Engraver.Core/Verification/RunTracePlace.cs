@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;

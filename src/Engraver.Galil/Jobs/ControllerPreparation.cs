@@ -1,7 +1,7 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Sessions;

@@ -1,5 +1,4 @@
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Jobs.Watching;
 
 namespace Engraver.Galil.Jobs;
 

@@ -1,8 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
-using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;

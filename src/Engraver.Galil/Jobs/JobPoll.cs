@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
 using static Engraver.Galil.Programs.Resident.ResidentProgram;

@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs;

@@ -1,6 +1,3 @@
-using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Jobs.Watching;
-
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Ends a phase when it is disposed: the phase that was in force before is restored.</summary>

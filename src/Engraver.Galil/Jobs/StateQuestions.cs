@@ -1,7 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Posting;
-using Engraver.Galil.Programs.Resident;
 using static Engraver.Galil.Programs.Resident.ResidentProgram;
 
 namespace Engraver.Galil.Jobs;

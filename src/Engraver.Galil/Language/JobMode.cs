@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Language;
 
 /// <summary>The execution strategies of this driver (galil-dmc.md F.1).</summary>

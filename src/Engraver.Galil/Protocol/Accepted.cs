@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>The prompt was <c>:</c>.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Frozen;
-using System.Diagnostics.CodeAnalysis;
 using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;

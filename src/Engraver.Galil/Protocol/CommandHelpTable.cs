@@ -1,6 +1,5 @@
 using System.Collections.Frozen;
 using System.Diagnostics.CodeAnalysis;
-using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>The controller's reply to one command: <see cref="Accepted"/> or <see cref="Rejected"/> (galil-dmc.md A.3).</summary>

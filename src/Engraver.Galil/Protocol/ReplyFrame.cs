@@ -1,7 +1,3 @@
-using System.Runtime.InteropServices;
-using System.Text;
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>One prompt and the bytes before it; a character of <paramref name="Data"/> is one byte.</summary>

@@ -1,7 +1,3 @@
-using System.Runtime.InteropServices;
-using System.Text;
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Shapes of replies.</summary>

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
-using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;

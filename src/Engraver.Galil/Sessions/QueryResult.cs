@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;

@@ -1,11 +1,4 @@
-using System.Globalization;
-using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
 using Engraver.Core.Motion;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 

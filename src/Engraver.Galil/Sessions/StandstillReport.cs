@@ -1,7 +1,4 @@
-using System.Globalization;
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 

@@ -1,12 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Core.Motion;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Protocol;
-
 namespace Engraver.Galil.Sessions;
 
 /// <summary>The second handle was lost during a session.</summary>

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
 using Engraver.Core.Machines.Setup;
 using Engraver.Galil.Language;
 

@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace Engraver.Links.Recording;
 
 /// <summary>All bytes that a host sent to a controller over all its links, in order, with their times. Sent again at the same times, they move a machine in the

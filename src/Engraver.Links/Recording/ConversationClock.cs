@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace Engraver.Links.Recording;
 
 /// <summary>The clock of the times of a recording.</summary>

@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace Engraver.Links.Recording;
 
 /// <summary>An event on a link.</summary>

@@ -1,4 +1,3 @@
-using Engraver.Simulator.Motion;
 using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;

@@ -1,6 +1,3 @@
-using Engraver.Simulator.Motion;
-using Engraver.Simulator.Values;
-
 namespace Engraver.Simulator.Language;
 
 /// <summary>The suffix after the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>

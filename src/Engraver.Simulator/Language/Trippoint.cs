@@ -1,5 +1,3 @@
-using Engraver.Simulator.Values;
-
 namespace Engraver.Simulator.Language;
 
 /// <summary>A condition that a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known in advance.</summary>

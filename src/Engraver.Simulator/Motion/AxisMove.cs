@@ -1,6 +1,3 @@
-using Engraver.Simulator.Motion.Following;
-using Engraver.Simulator.Values;
-
 namespace Engraver.Simulator.Motion;
 
 /// <summary>The move that the next BG of an axis starts: the last given of PA, PR, JG, HM, FE and FI.</summary>

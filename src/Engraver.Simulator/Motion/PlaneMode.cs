@@ -1,6 +1,3 @@
-using Engraver.Simulator.Motion.Following;
-using Engraver.Simulator.Values;
-
 namespace Engraver.Simulator.Motion;
 
 /// <summary>The mode for which a plane was last set up.</summary>

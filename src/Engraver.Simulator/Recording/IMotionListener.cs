@@ -1,5 +1,3 @@
-using Engraver.Simulator.Motion;
-
 namespace Engraver.Simulator;
 
 /// <summary>Receives all entries of a record, in order of time, while the controller computes them.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Simulator.Motion;
-
 namespace Engraver.Simulator;
 
 /// <summary>Axis positions at one sample: commanded positions in counts, for a stepper the position of its shaft, and the outputs 1 to 8 as a byte (bit 0 =

@@ -1,5 +1,3 @@
-using System.Collections.Frozen;
-
 namespace Engraver.Simulator.Values;
 
 /// <summary>Ends the execution of one command with a TC code. Thrown anywhere in the interpreter and caught in exactly two places: at the end of a host command

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
 /// <summary>Colour types, by their numbers in the file.</summary>

@@ -1,5 +1,3 @@
-using Avalonia.Media.Imaging;
-
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
 /// <summary>Three channels from 0 to 1.</summary>

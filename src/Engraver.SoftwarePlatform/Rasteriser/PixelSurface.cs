@@ -1,5 +1,3 @@
-using Engraver.SoftwarePlatform.Rasteriser.Paints;
-
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
 /// <summary>Memory to draw into: premultiplied pixels for the device pixels of <see cref="Bounds"/>. The owner keeps the memory alive.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-using Avalonia;
 using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Text;

@@ -1,7 +1,3 @@
-using System.Collections.Concurrent;
-using Avalonia;
-using Engraver.SoftwarePlatform.Rasteriser;
-
 namespace Engraver.SoftwarePlatform.Text;
 
 /// <summary>Size and position of a glyph, as far as its mask depends on them.</summary>

@@ -1,9 +1,3 @@
-using System.Collections.Concurrent;
-using System.Diagnostics.CodeAnalysis;
-using System.Globalization;
-using Avalonia.Media;
-using Avalonia.Platform;
-
 namespace Engraver.SoftwarePlatform.Text;
 
 /// <summary>A font that is in memory as a whole, such as an embedded one.</summary>

@@ -1,5 +1,4 @@
 using Avalonia.Input;
-using Avalonia.Input.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 

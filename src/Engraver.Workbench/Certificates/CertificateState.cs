@@ -1,10 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Machines;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Files;
-using Engraver.Workbench.Machines.Arming;
-
 namespace Engraver.Workbench.Certificates;
 
 /// <summary>Whether a certificate is valid for the current job.</summary>

@@ -1,13 +1,8 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
 using Engraver.Core.Posts;
-using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Verification;
 

@@ -1,5 +1,3 @@
-using System.Text.Json.Serialization;
-
 namespace Engraver.Workbench.Certificates;
 
 /// <summary>The bounds of the cut, and the travel of the machine.</summary>

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>What the operator answered to a prompt.</summary>

@@ -1,5 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.CommandLanguage;
 

@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.CommandLanguage;

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>The result of reading a typed value.</summary>

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Geometry;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>Purpose of a requested point. It determines the aids of the canvas.</summary>

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>One input of a script.</summary>

@@ -1,6 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>File names as typed or pasted.</summary>

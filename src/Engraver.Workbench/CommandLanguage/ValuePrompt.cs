@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>A prompt for a value of a type.</summary>

@@ -9,7 +9,6 @@ using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;

@@ -1,6 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Machine;
-
 namespace Engraver.Workbench.Commands;
 
 /// <summary>A typed command name with AutoCAD's prefixes: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog.</summary>

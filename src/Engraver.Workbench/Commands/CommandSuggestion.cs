@@ -1,6 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Machine;
-
 namespace Engraver.Workbench.Commands;
 
 /// <summary>A completion of the input, with the alias first if there is one, as in <c>M (MOVE)</c>.</summary>

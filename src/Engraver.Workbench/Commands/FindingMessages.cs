@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 

@@ -1,18 +1,4 @@
-using System.Collections.Concurrent;
-using System.Globalization;
-using Engraver.Core.Geometry;
-using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Commissioning;
-using Engraver.Workbench.Commands.Settings;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Histories;
-using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Origins;
-using Engraver.Workbench.Playback;
-using Engraver.Workbench.Settings;
-using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 

@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands;
 
 /// <summary>Inputs typed while a command works: they run in order after it has succeeded. None of them may act on the machine, because the operator may no

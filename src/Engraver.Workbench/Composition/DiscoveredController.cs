@@ -1,9 +1,3 @@
-using System.Text.Json;
-using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Links.Serial;
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.Composition;
 
 /// <summary>Result of a query.</summary>

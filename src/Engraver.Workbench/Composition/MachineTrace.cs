@@ -1,7 +1,4 @@
-using Engraver.Core.Machines;
-using Engraver.Links;
 using Engraver.Links.Recording;
-using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Composition;
 

@@ -1,18 +1,4 @@
-using System.Text;
-using Engraver.Core.Machines;
 using Engraver.Core.Posts;
-using Engraver.Core.Posts.Agie;
-using Engraver.Core.Posts.AgieReading;
-using Engraver.Core.Posts.ClDataReading;
-using Engraver.Core.Posts.Gcode;
-using Engraver.Core.Posts.GcodeReading;
-using Engraver.Core.Posts.Hpgl;
-using Engraver.Core.Posts.HpglReading;
-using Engraver.Core.Trajectories.Formats;
-using Engraver.Core.Trajectories.Posting;
-using Engraver.Core.Trajectories.Reading;
-using Engraver.Galil.Driver;
-using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
 

@@ -1,5 +1,4 @@
 using System.Text;
-using Engraver.Core.Posts;
 using Engraver.Core.Trajectories.Reading;
 using Engraver.Workbench.Files;
 

@@ -1,13 +1,3 @@
-using System.Text;
-using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Language;
-using Engraver.Links.Recording;
-using Engraver.Simulator;
-using Engraver.Simulator.Clocks;
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.Composition;
 
 /// <summary>Comparison of a replay and a record.</summary>

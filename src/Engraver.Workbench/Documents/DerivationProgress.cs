@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;

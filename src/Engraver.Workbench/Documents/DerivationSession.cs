@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
-using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 

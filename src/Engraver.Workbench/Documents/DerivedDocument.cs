@@ -4,7 +4,6 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;

@@ -3,8 +3,8 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
-using Engraver.Workbench.Stages;
 using Engraver.Workbench.Sidecars;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 

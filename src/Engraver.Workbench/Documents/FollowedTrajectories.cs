@@ -1,15 +1,6 @@
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
-using Engraver.Core.Kerf;
-using Engraver.Core.Machines;
-using Engraver.Core.Sequencing.Ordering;
-using Engraver.Core.Trajectories;
-using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
-using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 

@@ -1,7 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Core.Toolpaths;
-using Engraver.Workbench.Composition;
-
 namespace Engraver.Workbench.Documents;
 
 /// <summary>Shape of the frame run around a job, tool off.</summary>

@@ -4,7 +4,6 @@ using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Pockets;
-using Engraver.Core.Sequencing;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 

@@ -2,9 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Posts;
-using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 

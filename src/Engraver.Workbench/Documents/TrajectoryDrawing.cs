@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;

@@ -1,7 +1,4 @@
-using System.Text;
-using System.Text.Json;
 using Engraver.Core.Trajectories.Formats;
-using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Documents;
 

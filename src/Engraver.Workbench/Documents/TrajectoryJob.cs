@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;

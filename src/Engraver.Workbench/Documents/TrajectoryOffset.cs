@@ -1,14 +1,4 @@
-using System.Diagnostics;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
-using Engraver.Core.Sequencing;
-using Engraver.Core.Trajectories;
-using Engraver.Core.Trajectories.Formats;
-using Engraver.Workbench.Settings;
-using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 

@@ -1,7 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
-using Engraver.Core.Languages;
-using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Histories;
 

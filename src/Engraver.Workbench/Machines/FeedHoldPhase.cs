@@ -1,10 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Workbench.Machines.Arming;
-using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Machines;
 
 /// <summary>State of a feed hold.</summary>

@@ -1,8 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Engraver.Workbench.Machines;
 
 /// <summary>State of the machine as reported by the controller.</summary>

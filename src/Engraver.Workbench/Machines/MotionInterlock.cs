@@ -1,6 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Workbench.Machines;
 
 /// <summary>Lets one thing at a time move the machine: a job, a move by hand, or the jogs of a controller that is kept ready for them. The only owner of

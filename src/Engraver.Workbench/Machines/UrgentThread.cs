@@ -1,6 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Workbench.Composition;
-
 namespace Engraver.Workbench.Machines;
 
 /// <summary>Runs an urgent action on a new thread, independent of the caller, the UI thread and the thread pool.</summary>

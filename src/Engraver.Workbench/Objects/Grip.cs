@@ -1,4 +1,3 @@
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Objects;

@@ -1,6 +1,3 @@
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-
 namespace Engraver.Workbench.Objects;
 
 /// <summary>Effect of dragging a grip.</summary>

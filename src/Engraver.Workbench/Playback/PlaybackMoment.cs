@@ -1,7 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Motion;
-
 namespace Engraver.Workbench.Playback;
 
 /// <summary>A corner of the speed plot; between two corners the speed is linear in time.</summary>

@@ -1,6 +1,3 @@
-using Engraver.Core.Languages;
-using Engraver.Core.Sending;
-
 namespace Engraver.Workbench.Sending;
 
 public enum SendOutcome : byte

@@ -1,10 +1,4 @@
-using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
-using Engraver.Core.Kerf;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
 

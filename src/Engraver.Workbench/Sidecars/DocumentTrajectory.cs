@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Engraver.Core.Trajectories;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Sidecars;
 

@@ -1,9 +1,3 @@
-using System.Globalization;
-using System.Text;
-using System.Text.Encodings.Web;
-using System.Text.Json;
-using Engraver.Core.Trajectories;
-
 namespace Engraver.Workbench.Sidecars;
 
 /// <summary>The file has an unknown version.</summary>

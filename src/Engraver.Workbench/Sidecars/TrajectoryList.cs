@@ -1,7 +1,3 @@
-using System.Text.Json;
-using Engraver.Core.Trajectories;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Sidecars;
 
 /// <summary>The trajectories of a document, and the settings of the next ones. Immutable.</summary>

@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.Settings;
 

@@ -1,8 +1,5 @@
 using System.Globalization;
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Posts;
-using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Verification;
 

@@ -1,7 +1,6 @@
 using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;

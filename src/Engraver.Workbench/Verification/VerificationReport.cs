@@ -1,14 +1,4 @@
-using Engraver.Core;
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Posts;
-using Engraver.Core.Sequencing;
-using Engraver.Core.Verification;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Verification;
 

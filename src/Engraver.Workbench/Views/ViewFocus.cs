@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Views;
 

@@ -1,6 +1,5 @@
 using Avalonia.Controls;
 using Engraver.App.Canvas;
-using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;

@@ -1,4 +1,3 @@
-using Avalonia;
 using Avalonia.Controls;
 using Avalonia.VisualTree;
 using Engraver.App.CommandWindow;

@@ -1,7 +1,6 @@
 using Engraver.App.Desk;
 using Engraver.Benchmarks.Canvas;
 using Engraver.Core.Drawings;
-using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 

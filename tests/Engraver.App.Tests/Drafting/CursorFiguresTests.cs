@@ -1,5 +1,4 @@
 using Avalonia;
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;

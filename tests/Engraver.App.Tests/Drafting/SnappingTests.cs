@@ -1,8 +1,6 @@
 using Avalonia;
-using Avalonia.Controls;
 using Avalonia.Input;
 using Engraver.App.Canvas;
-using Engraver.App.Canvas.Scenes;
 using Engraver.App.Tests.Canvas;
 using Engraver.Core.Geometry;
 using Engraver.SoftwarePlatform.Headless;

@@ -1,7 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
-using Engraver.App.Canvas;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;

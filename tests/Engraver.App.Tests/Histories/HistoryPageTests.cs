@@ -1,5 +1,4 @@
 using Avalonia.Controls;
-using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Histories;
 using Engraver.Workbench.Histories;

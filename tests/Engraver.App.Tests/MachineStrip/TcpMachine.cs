@@ -1,6 +1,5 @@
 using Engraver.Benchmarks.Stops;
 using Engraver.Simulator;
-using Engraver.Simulator.Motion;
 
 namespace Engraver.App.Tests.MachineStrip;
 

@@ -1,7 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
-using Engraver.Core.Machines;
 using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Playback;

@@ -1,4 +1,3 @@
-using Avalonia;
 using Engraver.App.Plots;
 
 namespace Engraver.App.Tests.Plots;

@@ -3,7 +3,6 @@ using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Properties;
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 

@@ -1,6 +1,4 @@
 using Engraver.App.Tests.Start;
-using Engraver.Simulator;
-using Engraver.SoftwarePlatform.Tests.X11;
 using Engraver.TestKit;
 using Engraver.Workbench.Settings;
 using static Engraver.App.Tests.RealWindow.GivenAnswer;

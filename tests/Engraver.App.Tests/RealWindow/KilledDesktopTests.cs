@@ -1,5 +1,4 @@
 using Engraver.App.Tests.Start;
-using Engraver.Simulator;
 using Engraver.SoftwarePlatform.Tests.X11;
 using Engraver.TestKit;
 

@@ -1,6 +1,5 @@
 using Engraver.App.Tests.Start;
 using Engraver.Simulator;
-using Engraver.SoftwarePlatform.Tests.X11;
 using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;

@@ -3,7 +3,6 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.CommandWindow;
-using Engraver.App.Shell;
 using Engraver.App.Tabs;
 using Engraver.Workbench.Settings;
 

@@ -1,5 +1,4 @@
 using Avalonia.Controls;
-using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.StartPage;
 using Engraver.TestKit;

@@ -1,6 +1,5 @@
 using Avalonia;
 using Avalonia.Controls;
-using Avalonia.Input;
 using Engraver.App.Tables;
 using Engraver.Core.EntityTables;
 using Engraver.TestKit;

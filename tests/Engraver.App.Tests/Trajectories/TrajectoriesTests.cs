@@ -1,6 +1,5 @@
 using Avalonia.Controls;
 using Avalonia.Input;
-using Avalonia.VisualTree;
 using Engraver.App.Trajectories;
 using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Views;

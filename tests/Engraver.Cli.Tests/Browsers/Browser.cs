@@ -3,7 +3,6 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Browsers;
 

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Text.Json;
-using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Posts;
 

@@ -1,5 +1,4 @@
 using Engraver.Simulator;
-using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 

@@ -1,5 +1,3 @@
-using Engraver.TestKit;
-
 namespace Engraver.Cli.Tests.Verbs;
 
 /// <summary><c>engraver commission</c> with piped answers.</summary>

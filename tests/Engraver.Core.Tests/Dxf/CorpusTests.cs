@@ -3,8 +3,8 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
-using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
+using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Core.Tests.Dxf;
 

@@ -1,7 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
+using Engraver.Tools.CrossChecks;
 using FsCheck;
 using FsCheck.Fluent;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Drawings;
-using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
+using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Core.Tests.Dxf;
 

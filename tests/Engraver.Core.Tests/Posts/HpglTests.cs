@@ -1,5 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Core.Posts.Hpgl;
 using Engraver.Core.Posts.HpglReading;

@@ -1,8 +1,8 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Tools.CrossChecks;
 using Engraver.Core.Tests.Dxf;
 using Engraver.TestKit;
+using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Core.Tests.Tools;
 

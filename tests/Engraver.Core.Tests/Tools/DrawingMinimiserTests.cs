@@ -1,7 +1,7 @@
 using System.Text;
-using Engraver.Tools.Minimising;
 using Engraver.Core.Tests.Dxf;
 using Engraver.TestKit;
+using Engraver.Tools.Minimising;
 
 namespace Engraver.Core.Tests.Tools;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Links;
 using Engraver.Links.Recording;

@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;

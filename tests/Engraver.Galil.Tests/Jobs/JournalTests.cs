@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Engraver.Core.Machines;
-using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;

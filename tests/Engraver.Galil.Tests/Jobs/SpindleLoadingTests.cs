@@ -2,8 +2,6 @@ using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Jobs.Holds;
-using Engraver.Galil.Tests.Links;
-using Engraver.Simulator;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;

@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Links;
 using Engraver.TestKit;

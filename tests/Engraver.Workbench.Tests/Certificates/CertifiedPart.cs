@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Certificates;

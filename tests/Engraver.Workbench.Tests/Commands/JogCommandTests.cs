@@ -1,7 +1,4 @@
-using System.Globalization;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;

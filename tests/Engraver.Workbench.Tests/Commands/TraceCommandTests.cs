@@ -1,8 +1,6 @@
 using Engraver.Core.Plots;
-using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Settings;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Tests.Commands;

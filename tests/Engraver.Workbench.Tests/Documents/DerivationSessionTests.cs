@@ -1,7 +1,5 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;

@@ -1,8 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
-using Engraver.Workbench.Certificates;
-using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Engraver.Galil.Protocol;
 using Engraver.Links.Recording;
 using Engraver.Workbench.Files;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using Engraver.Galil.Jobs;
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 using Engraver.Links;

@@ -1,7 +1,5 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;

@@ -5,7 +5,6 @@ using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
-using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;

@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;

@@ -2,7 +2,6 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Tests.Commands;
 

@@ -1,11 +1,8 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
-using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 

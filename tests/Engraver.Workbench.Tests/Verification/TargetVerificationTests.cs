@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;

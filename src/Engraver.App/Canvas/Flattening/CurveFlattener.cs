@@ -1,4 +1,3 @@
-using Engraver.App.Canvas.Views;
 using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Flattening;

@@ -1,6 +1,3 @@
-using Engraver.App.Canvas.Views;
-using Engraver.Core.Geometry;
-
 namespace Engraver.App.Canvas.Flattening;
 
 /// <summary>Receives the chords with which a curve is drawn, pixels.</summary>

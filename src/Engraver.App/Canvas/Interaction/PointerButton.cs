@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.App.Canvas.Interaction;
 
 internal enum PointerButton

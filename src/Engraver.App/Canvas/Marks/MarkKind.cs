@@ -1,7 +1,3 @@
-using Engraver.App.Canvas.Flattening;
-using Engraver.App.Canvas.Scenes;
-using Engraver.Core.Geometry;
-
 namespace Engraver.App.Canvas.Marks;
 
 /// <summary>Marks that keep their size on the screen at every zoom. Each kind has its own shape, so that colour alone never carries the meaning.</summary>

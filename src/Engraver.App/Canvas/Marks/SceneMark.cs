@@ -1,6 +1,3 @@
-using Engraver.App.Canvas.Flattening;
-using Engraver.App.Canvas.Rasterising;
-using Engraver.App.Canvas.Views;
 using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;

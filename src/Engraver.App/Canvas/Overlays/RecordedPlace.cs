@@ -1,9 +1,4 @@
-using Engraver.App.Canvas.Marks;
-using Engraver.App.Canvas.Scenes;
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Canvas.Overlays;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.App.Canvas.Picking;
 
 /// <summary>Object snaps; the numbers are those of AutoCAD's OSMODE.</summary>

@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-
 namespace Engraver.App.Canvas.Rasterising;
 
 /// <summary>How lines are drawn, in pixels of the screen.</summary>

@@ -1,12 +1,10 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
-using Engraver.Cli.Output;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 

@@ -2,7 +2,6 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Runs;
 

@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Text;
-using Engraver.Core;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Languages;
 using Engraver.Core.Sending;

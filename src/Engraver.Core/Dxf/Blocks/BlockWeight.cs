@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Content and cost of one copy of a block. Sums are limited to <see cref="Max"/>, so that nesting cannot overflow them.</summary>

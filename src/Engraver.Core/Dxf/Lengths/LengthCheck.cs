@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
 

@@ -1,9 +1,3 @@
-using System.Diagnostics;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Tags;
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Dxf.Mapping;
 
 /// <summary>Result of transforming a part.</summary>

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Records;
 

@@ -1,7 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Dxf.Writing;
 
 /// <summary>A layer of a written drawing.</summary>

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 

@@ -1,5 +1,3 @@
-using Engraver.Core.Diagnostics;
-
 namespace Engraver.Core.Machines.Moves;
 
 /// <summary>The ends of an axis' travel, counts from the controller's own zero; both may be reached.</summary>

@@ -1,6 +1,4 @@
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines.Origins;
 

@@ -1,7 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Core.Machines.Origins;
 
 /// <summary>Where a job's origin comes from.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines.Profiles;

@@ -1,6 +1,3 @@
-using System.Text.Json;
-using System.Text.Json.Serialization;
-using System.Text.Json.Serialization.Metadata;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Profiles;

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Machines.Moves;
-
 namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>The ends of an axis' travel in a profile file, machine mm.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Machines.Setup;
 
 /// <summary>A direction of the tool over the table, as seen by the operator in front of it. The drawing's X goes right, its Y back.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-
 namespace Engraver.Core.Offsets.Pieces;
 
 /// <summary>A part of a piece, by fractions of its length or lengths along it.</summary>

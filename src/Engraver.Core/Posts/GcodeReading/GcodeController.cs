@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Engraver.Core.Posts.GcodeReading;
 
 /// <summary>The controller whose rules apply to a program.</summary>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Posts.GcodeReading;

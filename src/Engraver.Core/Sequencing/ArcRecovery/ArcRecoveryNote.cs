@@ -1,7 +1,3 @@
-using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing.Chaining;
-
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
 /// <summary>One replacement: <paramref name="Lines"/> rows became the row <paramref name="Row"/> of the new table.</summary>

@@ -1,4 +1,3 @@
-using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;

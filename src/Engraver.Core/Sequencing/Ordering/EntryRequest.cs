@@ -1,5 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 

@@ -1,7 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing.Chaining;
-using Engraver.Core.Sequencing.Nesting;
-
 namespace Engraver.Core.Sequencing.Ordering;
 
 /// <summary>Orders of strokes. In each order, an inner stroke comes before the enclosing stroke.</summary>

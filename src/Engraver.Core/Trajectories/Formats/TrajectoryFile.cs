@@ -1,6 +1,5 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 
 namespace Engraver.Core.Trajectories.Formats;
 

@@ -1,7 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-
 namespace Engraver.Core.Trajectories.Formats;
 
 /// <summary>Controller for which a trajectory is written.</summary>

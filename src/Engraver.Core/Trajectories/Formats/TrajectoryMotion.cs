@@ -1,5 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Trajectories.Formats;

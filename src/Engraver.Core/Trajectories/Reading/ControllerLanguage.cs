@@ -1,8 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Posts;
-
 namespace Engraver.Core.Trajectories.Reading;
 
 /// <summary>Format in which a controller reads a trajectory file.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Galil.Programs.Resident;
-
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>The motion of a held job was given up: nothing is in progress in the controller, and the axes may be moved. It ends the strategy and not the

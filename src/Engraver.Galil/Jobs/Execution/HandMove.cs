@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Jobs.Execution;
 

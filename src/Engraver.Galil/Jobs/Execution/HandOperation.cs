@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Jobs.Execution;

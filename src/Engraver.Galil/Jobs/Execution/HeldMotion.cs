@@ -1,5 +1,3 @@
-using Engraver.Galil.Programs.Resident;
-
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>The motion of a held job, which is given up where the machine has to move while the job is held: where an axis drives the tool, where the

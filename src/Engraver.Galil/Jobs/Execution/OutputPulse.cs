@@ -1,6 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Galil.Programs.Resident;
-
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>The tool's output on for the profile's settle time and off again, while nothing moves.</summary>

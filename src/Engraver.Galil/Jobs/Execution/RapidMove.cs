@@ -2,7 +2,6 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs.Execution;
 

@@ -1,9 +1,4 @@
-using System.Text;
-using System.Text.Json;
-using System.Text.Json.Serialization;
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
-using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 

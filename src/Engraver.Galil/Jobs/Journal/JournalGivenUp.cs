@@ -1,10 +1,3 @@
-using System.Text;
-using System.Text.Json;
-using System.Text.Json.Serialization;
-using Engraver.Core.Machines;
-using Engraver.Galil.Language;
-using Engraver.Galil.Sessions;
-
 namespace Engraver.Galil.Jobs.Journal;
 
 /// <summary>The journal could no longer be written while its job continued: how far the job was cut is not known, and it cannot be resumed.</summary>

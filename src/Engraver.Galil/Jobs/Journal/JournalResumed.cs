@@ -1,10 +1,3 @@
-using System.Text;
-using System.Text.Json;
-using System.Text.Json.Serialization;
-using Engraver.Core.Machines;
-using Engraver.Galil.Language;
-using Engraver.Galil.Sessions;
-
 namespace Engraver.Galil.Jobs.Journal;
 
 /// <summary>A later job has resumed this one, and has its own journal.</summary>

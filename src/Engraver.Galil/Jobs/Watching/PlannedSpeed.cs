@@ -1,5 +1,3 @@
-using Engraver.Core.Machines;
-
 namespace Engraver.Galil.Jobs.Watching;
 
 /// <summary>The speeds of the sequences that may be in progress when a poll is read, counts/s, without the feed override.</summary>

@@ -1,6 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Galil.Language;
-
 namespace Engraver.Galil.Programs.Generation;
 
 /// <summary>How the controller quantizes an angle: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999), then to the steps

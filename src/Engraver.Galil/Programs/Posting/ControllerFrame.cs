@@ -1,7 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Galil.Language;
-using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 

@@ -1,8 +1,4 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Core.Posts;
 using Engraver.Galil.Language;
-using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 

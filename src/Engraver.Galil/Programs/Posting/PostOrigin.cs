@@ -1,9 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Core.Posts;
-using Engraver.Galil.Language;
-using static Engraver.Galil.Programs.Subprograms;
-
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>

@@ -1,8 +1,4 @@
-using System.Globalization;
-using System.Text;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;
 

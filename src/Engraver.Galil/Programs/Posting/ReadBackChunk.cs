@@ -1,9 +1,3 @@
-using System.Globalization;
-using System.Text.RegularExpressions;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Posts;
-using Engraver.Galil.Language;
-
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>One program of a posted file.</summary>

@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Language;
 using static Engraver.Galil.Programs.Subprograms;
 

@@ -1,9 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Galil.Language;
-using static Engraver.Galil.Programs.Subprograms;
-using Variables = Engraver.Galil.Programs.Resident.ResidentProgram.Variables;
-
 namespace Engraver.Galil.Programs.Resident;
 
 /// <summary>The reason why the homing of an axis ended early.</summary>

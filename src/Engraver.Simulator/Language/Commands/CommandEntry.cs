@@ -1,5 +1,3 @@
-using System.Collections.Frozen;
-
 namespace Engraver.Simulator.Language.Commands;
 
 /// <summary>One row of the dispatch table.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Frozen;
-
 namespace Engraver.Simulator.Language.Commands;
 
 /// <summary>The contexts in which a command is allowed (galil-dmc.md E).</summary>

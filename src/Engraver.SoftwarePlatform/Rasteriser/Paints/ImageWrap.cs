@@ -1,5 +1,3 @@
-using Avalonia;
-
 namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 /// <summary>What is outside an image.</summary>

@@ -1,5 +1,3 @@
-using Avalonia.Media.Imaging;
-
 namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 /// <summary>One premultiplied colour.</summary>

@@ -1,5 +1,3 @@
-using Avalonia;
-
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 /// <summary>Receives a path as straight lines. Implemented by structs, so that the code is compiled for each.</summary>

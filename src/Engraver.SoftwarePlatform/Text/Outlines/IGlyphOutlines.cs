@@ -1,5 +1,3 @@
-using Avalonia;
-using Avalonia.Media;
 using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Text.Outlines;

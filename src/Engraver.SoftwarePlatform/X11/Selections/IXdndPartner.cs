@@ -1,8 +1,4 @@
-using System.Text;
-using Avalonia;
-using Avalonia.Input;
 using Avalonia.Input.Raw;
-using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11.Selections;
 

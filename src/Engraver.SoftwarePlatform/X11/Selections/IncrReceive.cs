@@ -1,5 +1,3 @@
-using Engraver.SoftwarePlatform.X11.Protocol;
-
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
 /// <summary>Data that arrives in pieces (ICCCM 2.7.2): each piece is a property, and an empty one ends it.</summary>

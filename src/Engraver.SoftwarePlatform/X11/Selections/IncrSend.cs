@@ -1,6 +1,3 @@
-using System.Text;
-using Engraver.SoftwarePlatform.X11.Protocol;
-
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
 /// <summary>Data that is sent in pieces (ICCCM 2.7.2): each time the reader deletes the property the next piece follows, and an empty one ends it.</summary>

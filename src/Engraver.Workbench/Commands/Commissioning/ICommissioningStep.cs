@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Commissioning;
 
 /// <summary>One step of the commissioning. It can be repeated; Enter keeps the current value.</summary>

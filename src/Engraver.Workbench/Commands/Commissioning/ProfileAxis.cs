@@ -1,10 +1,4 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Profiles;
-using Engraver.Core.Machines.Setup;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 

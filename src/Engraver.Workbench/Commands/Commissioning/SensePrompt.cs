@@ -1,4 +1,3 @@
-using Engraver.Core.Machines.Setup;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Commissioning;

@@ -1,7 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Geometry.Constructions;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Drafting;
 

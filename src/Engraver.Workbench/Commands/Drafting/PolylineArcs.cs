@@ -1,6 +1,5 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Geometry.Constructions;
-using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Drafting;
 

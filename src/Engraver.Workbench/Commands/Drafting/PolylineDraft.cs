@@ -1,6 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 

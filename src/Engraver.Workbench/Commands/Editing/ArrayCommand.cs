@@ -1,7 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 

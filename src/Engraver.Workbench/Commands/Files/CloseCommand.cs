@@ -1,4 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;

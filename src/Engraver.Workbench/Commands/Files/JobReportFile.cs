@@ -1,4 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;

@@ -1,8 +1,6 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
 using Engraver.Core.Posts.Agie;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Verification;
 

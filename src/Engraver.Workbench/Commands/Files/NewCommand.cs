@@ -1,7 +1,4 @@
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
 

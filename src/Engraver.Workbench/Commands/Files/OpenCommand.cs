@@ -1,5 +1,4 @@
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
 

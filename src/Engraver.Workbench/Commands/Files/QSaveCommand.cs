@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Files;
 
 /// <summary>QSAVE: Saves an edited drawing in its file (the last one of SAVEAS, otherwise the opened one), and its sidecar.</summary>

@@ -1,11 +1,4 @@
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Histories;
-using Engraver.Workbench.Reports;
-using Engraver.Workbench.Sidecars;
-using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
 

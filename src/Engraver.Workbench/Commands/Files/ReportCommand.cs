@@ -1,8 +1,4 @@
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Files;
-using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports.Pages;
 using Engraver.Workbench.Settings;
 

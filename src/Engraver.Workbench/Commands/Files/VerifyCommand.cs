@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Posts;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Histories;

@@ -1,7 +1,5 @@
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Grips;

@@ -1,4 +1,3 @@
-using Engraver.Core.Drawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;

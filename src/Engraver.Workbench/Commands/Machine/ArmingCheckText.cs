@@ -1,8 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Workbench.Certificates;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Commands.Machine;

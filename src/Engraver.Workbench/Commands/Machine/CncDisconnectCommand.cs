@@ -1,6 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>CNCDISCONNECT: Closes the connection to the controller.</summary>

@@ -1,10 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
-
 namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>CNCHOLD: Feed hold of the job: it decelerates on its path, then the tool is switched off or raised. CNCJOG may move the machine meanwhile. Never

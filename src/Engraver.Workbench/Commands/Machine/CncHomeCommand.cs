@@ -1,7 +1,3 @@
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>CNCHOME: Homes the machine as configured in its profile; afterwards the controller counts from the profile's zero.</summary>

@@ -1,5 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Workbench.CommandLanguage;
 

@@ -1,8 +1,5 @@
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;

@@ -1,9 +1,6 @@
 using System.Globalization;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 

@@ -1,8 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-
 namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>CNCSIM: Runs the drawing on a simulated controller and reports how well it was cut; no machine moves.</summary>

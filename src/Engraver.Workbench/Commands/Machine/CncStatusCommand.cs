@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;

@@ -1,6 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
-using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 

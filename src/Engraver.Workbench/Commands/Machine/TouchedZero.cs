@@ -1,5 +1,4 @@
 using System.Globalization;
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;

@@ -1,11 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Editing;
-using Engraver.Workbench.Commands.Inquiry;
-using Engraver.Workbench.Objects;
-
 namespace Engraver.Workbench.Commands.Properties;
 
 /// <summary>A property and the common value of the selected objects, or <see cref="ObjectProperties.Varies"/>.</summary>

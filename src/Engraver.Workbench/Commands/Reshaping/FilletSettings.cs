@@ -1,8 +1,5 @@
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Reshaping;
-using Engraver.Workbench.Commands.Editing;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.Reshaping;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Documents;
 

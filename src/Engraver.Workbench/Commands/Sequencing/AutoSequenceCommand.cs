@@ -1,7 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.Commands.Settings;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Stages;
 

@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Session;
 
 /// <summary>QUIT: Closes the window after a warning if a job is running and a question about unsaved edits. A second QUIT ends a running job; Enter alone does

@@ -1,5 +1,4 @@
 using Engraver.Core.Languages;
-using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 

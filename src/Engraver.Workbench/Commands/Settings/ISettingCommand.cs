@@ -1,6 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Commands.Settings;
 
 /// <summary>A command that asks for the new value of one setting and can show the present one.</summary>

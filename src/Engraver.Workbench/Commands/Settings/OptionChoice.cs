@@ -1,8 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Commands.Settings;
 
 /// <summary>A word that may be chosen.</summary>

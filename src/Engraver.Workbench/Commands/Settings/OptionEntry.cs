@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 

@@ -1,5 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 

@@ -1,8 +1,3 @@
-using Engraver.Core.Plots;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Settings;
-using Engraver.Workbench.Views;
-
 namespace Engraver.Workbench.Commands.Settings;
 
 /// <summary>A value that is typed by its name, as in AutoCAD.</summary>

@@ -5,7 +5,6 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
 using Engraver.Core.Sequencing.Ordering;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;

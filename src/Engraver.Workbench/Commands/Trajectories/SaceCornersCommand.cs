@@ -1,6 +1,5 @@
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 

@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects at increasing depths: at 0, one step, two steps ... and at the final depth below the

@@ -1,5 +1,4 @@
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 

@@ -1,6 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Sidecars;
-
 namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>SACEDELETELASTTRAJECTORY: Removes the last trajectory from the list.</summary>

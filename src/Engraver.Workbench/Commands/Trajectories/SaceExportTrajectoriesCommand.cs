@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;

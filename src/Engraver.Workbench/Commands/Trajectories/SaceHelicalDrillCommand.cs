@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.CommandLanguage;
 

@@ -1,4 +1,3 @@
-using Engraver.Core.Trajectories;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Sidecars;
 

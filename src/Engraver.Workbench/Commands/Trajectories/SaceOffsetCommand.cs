@@ -1,7 +1,3 @@
-using Engraver.Core.Offsets;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-
 namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>SACEOFFSET: Creates trajectories at an offset of the removal radius of the tool from objects (paper 004, section 2.2).</summary>

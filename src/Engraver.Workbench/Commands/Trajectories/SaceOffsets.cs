@@ -1,5 +1,4 @@
 using Engraver.Core.Offsets;
-using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Trajectories;

@@ -1,5 +1,3 @@
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>SACEPATH: Creates trajectories that follow objects (paper 004, section 2.2; sace-xps-agie.md 1.1).</summary>

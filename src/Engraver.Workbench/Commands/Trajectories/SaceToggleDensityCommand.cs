@@ -1,6 +1,4 @@
-using Engraver.Core.Trajectories;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 

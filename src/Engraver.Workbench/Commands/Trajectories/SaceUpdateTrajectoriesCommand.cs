@@ -1,6 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;

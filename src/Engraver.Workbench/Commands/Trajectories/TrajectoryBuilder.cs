@@ -1,11 +1,9 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;

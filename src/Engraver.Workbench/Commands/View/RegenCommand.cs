@@ -1,6 +1,3 @@
-using Engraver.Core.Geometry;
-using Engraver.Workbench.CommandLanguage;
-
 namespace Engraver.Workbench.Commands.View;
 
 /// <summary>REGEN: Redraws the view and removes the mark of a finding. Restarts planning that was cancelled by Esc.</summary>

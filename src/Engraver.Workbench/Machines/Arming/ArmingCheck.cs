@@ -1,13 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Reports;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Machines.Arming;
 
 /// <summary>One start check.</summary>

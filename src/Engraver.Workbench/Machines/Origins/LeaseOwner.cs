@@ -1,5 +1,3 @@
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.Machines.Origins;
 
 /// <summary>Names the host that uses a machine.</summary>

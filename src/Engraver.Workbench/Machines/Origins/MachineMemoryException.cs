@@ -1,11 +1,3 @@
-using System.Globalization;
-using System.Security.Cryptography;
-using System.Text;
-using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.Machines.Origins;
 
 /// <summary>The stored state of a machine cannot be used. Without it the work origin is unknown, so nothing is moved.</summary>

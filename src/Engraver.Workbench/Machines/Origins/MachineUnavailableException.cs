@@ -1,10 +1,4 @@
-using System.Globalization;
-using System.Security.Cryptography;
-using System.Text;
-using Engraver.Core.Languages;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 

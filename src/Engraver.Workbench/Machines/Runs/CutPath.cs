@@ -1,13 +1,7 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
 using Engraver.Core.Motion;
 using Engraver.Core.Verification;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
 

@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Documents;
 

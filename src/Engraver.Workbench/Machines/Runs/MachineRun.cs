@@ -1,7 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;

@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Documents;

@@ -1,14 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Motion;
-using Engraver.Core.Verification;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Settings;
-
 namespace Engraver.Workbench.Machines.Runs;
 
 /// <summary>A job that starts in the middle: where an earlier one ended according to its journal, or from a chosen contour.</summary>

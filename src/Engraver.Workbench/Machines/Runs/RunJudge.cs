@@ -1,6 +1,5 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Composition;

@@ -1,10 +1,4 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
-using Engraver.Core.Motion;
-using Engraver.Core.Sequencing;
-using Engraver.Core.Verification;
-using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 

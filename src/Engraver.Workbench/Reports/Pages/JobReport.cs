@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;

@@ -6,7 +6,6 @@ using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 

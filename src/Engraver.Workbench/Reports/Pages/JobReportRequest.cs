@@ -1,16 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Languages;
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
-using Engraver.Core.Verification;
-using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports.Pages;

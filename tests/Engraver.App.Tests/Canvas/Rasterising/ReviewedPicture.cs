@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Avalonia;
 using Engraver.SoftwarePlatform.Bitmaps;
-using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Canvas.Rasterising;
 

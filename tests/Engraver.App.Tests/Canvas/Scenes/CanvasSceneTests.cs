@@ -1,5 +1,5 @@
-using Engraver.Benchmarks.Canvas;
 using Engraver.App.Canvas.Scenes;
+using Engraver.Benchmarks.Canvas;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;

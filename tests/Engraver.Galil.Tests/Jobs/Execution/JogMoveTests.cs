@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;

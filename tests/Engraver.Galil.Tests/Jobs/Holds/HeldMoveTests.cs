@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Language;

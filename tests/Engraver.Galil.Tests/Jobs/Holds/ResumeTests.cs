@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Language;

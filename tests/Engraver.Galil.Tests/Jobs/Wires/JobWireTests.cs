@@ -1,8 +1,8 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Language;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Wires;

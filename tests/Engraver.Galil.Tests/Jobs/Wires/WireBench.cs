@@ -1,8 +1,8 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Links;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Wires;

@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Wires;
 

@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Posts;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;

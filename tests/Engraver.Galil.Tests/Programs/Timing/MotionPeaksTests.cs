@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Tests.Programs.Timing;
 

@@ -1,5 +1,3 @@
-using Engraver.Workbench.Commands;
-
 namespace Engraver.Workbench.Tests.Commands.Drafting;
 
 public class PolylineCommandTests

@@ -1,4 +1,3 @@
-using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Commands;
 

@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands.Files;

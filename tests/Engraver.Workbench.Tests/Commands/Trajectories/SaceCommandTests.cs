@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.Trajectories;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;

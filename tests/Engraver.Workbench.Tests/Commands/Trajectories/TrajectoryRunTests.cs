@@ -5,7 +5,6 @@ using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
-using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
 

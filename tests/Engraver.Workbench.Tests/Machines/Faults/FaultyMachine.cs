@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Engraver.Core.Machines;
-using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Language;
 using Engraver.Simulator;
 

@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Verification;
 using Engraver.Simulator;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Machines.Runs;

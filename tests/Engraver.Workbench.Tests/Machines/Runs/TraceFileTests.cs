@@ -3,9 +3,6 @@ using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Galil.Language;
 using Engraver.Simulator;
-using Engraver.TestKit;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
