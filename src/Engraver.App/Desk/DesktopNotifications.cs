@@ -32,6 +32,7 @@ public sealed class DesktopNotifications : IDisposable
         session.Derivation.Progress.Changed += (_, _) => Post();
         session.Certificates.Changed += (_, _) => Post();
         session.History.Changed += (_, _) => Post();
+        session.Plots.Changed += (_, _) => Post();
     }
 
     /// <summary>New lines of the history.</summary>

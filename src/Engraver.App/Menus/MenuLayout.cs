@@ -39,11 +39,11 @@ public static class MenuLayout
             [
                 new("ByHand", ["CNCMOTORS", "CNCHOME", Separator, "CNCJOG", "CNCGOTO", Separator, "CNCZERO", "CNCORIGIN", Separator, "CNCOUTPUT"]),
                 new("Feeds", ["CNCOVERRIDE", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA", Separator, "CNCFINISH"]),
-                new("Watch", ["ALARMS", "CNCTRACE", "CNCTERMINAL"]),
+                new("Watch", ["ALARMS", "CNCTRACE", "PLOTCOMPARE", "CNCTERMINAL"]),
                 new("Setup", ["CNCPROFILE", "CNCCOMMISSION"]),
             ],
         },
-        new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", "CERTIFY", "SEND", Separator, "REPORT", "TABLE"]),
+        new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", "CERTIFY", "SEND", Separator, "PLOTEXPORT", "REPORT", "TABLE"]),
         new("Settings", ["THEME", "LANGUAGE"]),
         new("Help", ["HELP"]),
     ];

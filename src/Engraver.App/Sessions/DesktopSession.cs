@@ -1,4 +1,5 @@
 using Engraver.App.Desk;
+using Engraver.App.Plots;
 using Engraver.App.Safety;
 using Engraver.App.Texts;
 using Engraver.Workbench.Commands;
@@ -19,7 +20,7 @@ public sealed class DesktopSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(environment);
         Time = environment.Time;
         FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
-        _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
+        _session = new CommandSession(environment with { Failures = FailureReports, PlotRenderer = new PlotRenderer() }, CommandCatalog.Built());
         StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Controls.Stop(), HoldOrStop);
     }
 

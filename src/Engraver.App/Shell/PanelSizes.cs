@@ -26,6 +26,9 @@ public sealed class PanelSizes
     private const double MinCanvasWidth = 340;
     private const double SplitterSize = 4;
 
+    /// <summary>Part of the window that widened palettes get.</summary>
+    private const double WidePart = 0.62;
+
     /// <summary>With less room for canvas and panels, the pages or the palettes are folded.</summary>
     private const double MinHeightForPages = 380;
     private const double MinWidthForPalettes = 900;
@@ -34,7 +37,9 @@ public sealed class PanelSizes
     private readonly ColumnDefinition _palettesColumn;
     private readonly PageTabs _pages;
     private readonly PageTabs _palettes;
+    private readonly Grid _columns;
     private bool _isExpanded;
+    private bool _isWide;
     private bool _isLow;
     private bool _isNarrow;
 
@@ -44,11 +49,13 @@ public sealed class PanelSizes
     public PanelSizes(DesktopModel desk, Control room, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
         (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
+        _columns = columns;
         rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(MinPagesHeight, e.NewSize.Height - SplitterSize - MinCanvasHeight);
         columns.SizeChanged += (_, e) => _palettesColumn.MaxWidth = Math.Max(MinPalettesWidth, e.NewSize.Width - SplitterSize - MinCanvasWidth);
         room.SizeChanged += (_, e) => FitTo(e.NewSize);
         pages.FoldRequested += (_, _) => FoldPages();
         palettes.FoldRequested += (_, _) => FoldPalettes();
+        palettes.WidenRequested += (_, _) => WidenPalettes();
         ShowPages();
         ShowPalettes();
     }
@@ -66,6 +73,21 @@ public sealed class PanelSizes
     {
         Fold(PalettesName);
         ShowPalettes();
+    }
+
+    /// <summary>Gives the palettes most of the window beside the canvas, without the pages below, or restores both sizes.</summary>
+    public void WidenPalettes()
+    {
+        if (IsFolded(PalettesName)) FoldPalettes();
+        if (!_isWide) Save();
+        var widens = !_isWide;
+        ShowPages();
+        ShowPalettes();
+        if (!widens) return;
+        _palettesColumn.Width = new GridLength(Math.Max(MinPalettesWidth, WidePart * _columns.Bounds.Width));
+        _pagesRow.MinHeight = FoldedPagesHeight;
+        _pagesRow.Height = new GridLength(FoldedPagesHeight);
+        _isWide = true;
     }
 
     /// <summary>Brings the history to the front when something is typed; folded pages stay folded, and the command line shows the last line.</summary>
@@ -94,6 +116,7 @@ public sealed class PanelSizes
     /// <summary>Stores the present sizes.</summary>
     public void Save() => _desk.Session.Settings.Change(settings =>
     {
+        if (_isWide) return settings;
         if (!IsFolded(PagesName)) settings = settings.WithPanelSize(_isExpanded ? HistoryName : PagesName, _pagesRow.Height.Value);
         if (!IsFolded(PalettesName)) settings = settings.WithPanelSize(PalettesName, _palettesColumn.Width.Value);
         return settings;
@@ -129,7 +152,7 @@ public sealed class PanelSizes
     private void ShowPages()
     {
         var folded = ArePagesFolded;
-        _isExpanded = false;
+        (_isExpanded, _isWide) = (false, false);
         _pagesRow.MinHeight = folded ? FoldedPagesHeight : MinPagesHeight;
         _pagesRow.Height = new GridLength(folded ? FoldedPagesHeight : SizeOf(PagesName, DefaultPagesHeight));
         _pages.ShowFolded(folded, "FoldUpIcon", "FoldDownIcon");
@@ -138,6 +161,7 @@ public sealed class PanelSizes
     private void ShowPalettes()
     {
         var folded = IsFolded(PalettesName);
+        _isWide = false;
         _palettesColumn.MinWidth = folded ? FoldedPalettesWidth : MinPalettesWidth;
         _palettesColumn.Width = new GridLength(folded ? FoldedPalettesWidth : SizeOf(PalettesName, DefaultPalettesWidth));
         _palettes.ShowFolded(folded, "FoldLeftIcon", "FoldRightIcon");

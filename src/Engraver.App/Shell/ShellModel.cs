@@ -99,7 +99,7 @@ public sealed class ShellModel : ObservableObject
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
         new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),
         new("Commissioning", () => new CommissioningView { DataContext = new CommissioningModel(Desk) }),
-        new("Plots", () => new PlotView { DataContext = new SpeedPlotModel(Desk) }),
+        new("Plots", () => new PlotsView { DataContext = new PlotsModel(Desk) }),
     ];
 
     /// <summary>The pages at the bottom.</summary>

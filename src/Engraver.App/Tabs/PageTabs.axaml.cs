@@ -21,6 +21,9 @@ public partial class PageTabs : UserControl
     /// <summary>Raised when the fold button was pressed, or a tab of a folded panel; the shell folds or opens the panel.</summary>
     public event EventHandler? FoldRequested;
 
+    /// <summary>The page in front asked for more room, or for the usual room again.</summary>
+    public event EventHandler? WidenRequested;
+
     /// <summary>A page came to the front.</summary>
     public event EventHandler? PageShown;
 
@@ -41,6 +44,9 @@ public partial class PageTabs : UserControl
     }
 
     public void Show(string key) => Strip.SelectedItem = Pages.First(page => page.Key == key);
+
+    /// <summary>Called by a page that needs more room, or no longer needs it.</summary>
+    public void RequestWiden() => WidenRequested?.Invoke(this, EventArgs.Empty);
 
     /// <summary>Shows the pages or, folded, only the strip of tabs; the fold button shows what a click does next.</summary>
     public void ShowFolded(bool folded, string openIcon, string foldIcon)

@@ -13,4 +13,13 @@ public static class ClockText
             ? time.ToString(@"mm\:ss", CultureInfo.InvariantCulture)
             : string.Create(CultureInfo.InvariantCulture, $"{(long)time.TotalHours}:{time:mm\\:ss}");
     }
+
+    /// <summary>The same with decimals of the seconds: 41.25 seconds with one decimal is <c>00:41.3</c>.</summary>
+    public static string Format(double seconds, int decimals)
+    {
+        if (decimals <= 0) return Format(seconds);
+        var (rounded, unit) = (Math.Round(Math.Clamp(seconds, 0.0, 1e9), decimals, MidpointRounding.AwayFromZero), Math.Pow(10.0, -decimals));
+        var whole = Math.Floor(rounded + (unit / 2.0));
+        return Format(whole) + Math.Max(0.0, rounded - whole).ToString("." + new string('0', decimals), CultureInfo.InvariantCulture);
+    }
 }

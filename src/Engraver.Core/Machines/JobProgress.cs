@@ -23,6 +23,9 @@ public readonly record struct JobProgress(int Stroke, int SegmentsSent, int Segm
     /// <summary>Factor of the programmed feed in effect.</summary>
     public double FeedRatio { get; init; } = 1.0;
 
+    /// <summary>Part of the time since the report before in which the command handle was busy with an exchange, 0 to 1; null in the first report.</summary>
+    public double? LinkLoad { get; init; }
+
     /// <summary>Factor of the rapid speed in effect.</summary>
     public double RapidRatio { get; init; } = 1.0;
 }

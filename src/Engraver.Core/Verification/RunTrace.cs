@@ -14,11 +14,19 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     /// <summary>The columns of the first version, which had neither the following error nor the drawing.</summary>
     private const string FirstHeader = "seconds,x,y,tool,deviation";
 
-    private const string Header = FirstHeader + ",following";
+    /// <summary>The columns of the second version, which had neither the feed override nor the load of the link.</summary>
+    private const string SecondHeader = FirstHeader + ",following";
 
+    private const string Header = SecondHeader + ",feed,link";
+
+    /// <summary>The first column that may be empty.</summary>
     private const int FollowingColumn = 5;
 
-    private const int Version = 2;
+    private const int FeedColumn = 6;
+
+    private const int LinkColumn = 7;
+
+    private const int Version = 3;
 
     private const string VersionMark = "; version ";
 
@@ -40,10 +48,10 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"# {Source}{VersionMark}{Version}{DrawingMark}{Drawing}"));
         output.WriteLine(Header);
         foreach (var place in Places)
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{place.Seconds:0.######},{place.Place.X:0.######},{place.Place.Y:0.######},{(place.ToolOn ? 1 : 0)},{place.DeviationMm:0.######},{place.FollowingMm:0.######}"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{place.Seconds:0.######},{place.Place.X:0.######},{place.Place.Y:0.######},{(place.ToolOn ? 1 : 0)},{place.DeviationMm:0.######},{place.FollowingMm:0.######},{place.Conditions.FeedRatio:0.###},{place.Conditions.LinkLoad:0.###}"));
     }
 
-    /// <summary>Reads what <see cref="Write"/> wrote, in this version or the first.</summary>
+    /// <summary>Reads what <see cref="Write"/> wrote, in this version or an earlier one.</summary>
     /// <exception cref="FormatException">The text is not a trace; the message names the line.</exception>
     public static RunTrace Read(TextReader input)
     {
@@ -52,7 +60,7 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
         var (source, version, drawing) = TitleOf(first[2..]);
         if (version is null or < 1) throw new FormatException(Wording.Get("RunTrace.NotTrace", 1));
         if (version > Version) throw new FormatException(Wording.Get("RunTrace.NewerVersion", version, Version));
-        var header = version == 1 ? FirstHeader : Header;
+        var header = version switch { 1 => FirstHeader, 2 => SecondHeader, _ => Header };
         if (input.ReadLine() != header) throw new FormatException(Wording.Get("RunTrace.NotTrace", version == 1 ? 1 : 2));
         var places = new List<RunTracePlace>();
         for (var line = 3; input.ReadLine() is { } text; line++) places.Add(PlaceOf(text, header.Count(character => character == ',') + 1) ?? throw new FormatException(Wording.Get("RunTrace.NotTrace", line)));
@@ -85,15 +93,16 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     private static RunTracePlace? PlaceOf(string line, int columns)
     {
         var cells = line.Split(',');
-        var numbers = new double[cells.Length];
+        var numbers = new double?[LinkColumn + 1];
         if (cells.Length != columns) return null;
-        var isFollowingKnown = columns > FollowingColumn && cells[FollowingColumn].Length > 0;
-        if (!isFollowingKnown) numbers = numbers[..FollowingColumn];
-        for (var i = 0; i < numbers.Length; i++)
+        for (var i = 0; i < cells.Length; i++)
         {
-            if (!double.TryParse(cells[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i])) return null;
+            if (i >= FollowingColumn && cells[i].Length == 0) continue;
+            if (!double.TryParse(cells[i], NumberStyles.Float, CultureInfo.InvariantCulture, out var number) || !double.IsFinite(number)) return null;
+            numbers[i] = number;
         }
 
-        return new RunTracePlace(numbers[0], new Point2D(numbers[1], numbers[2]), numbers[3] == 1.0, numbers[4], isFollowingKnown ? numbers[FollowingColumn] : null);
+        if (numbers is not [{ } seconds, { } x, { } y, { } tool, { } deviation, ..]) return null;
+        return new RunTracePlace(seconds, new Point2D(x, y), tool == 1.0, deviation, numbers[FollowingColumn]) { Conditions = new TraceConditions(numbers[FeedColumn], numbers[LinkColumn]) };
     }
 }

@@ -33,12 +33,15 @@ public sealed class RunTraceBuilder
         _most = most;
     }
 
+    /// <summary>Conditions of the places that are added from now on.</summary>
+    public TraceConditions Conditions { get; set; }
+
     /// <summary>Adds a machine position.</summary>
     public void Add(in TraceSample sample)
     {
         var deviation = 0.0;
         if (sample.Cutting && _index.NearEnoughTo(sample.Place, MergeTolerance(sample), out var distance) >= 0) deviation = distance;
-        Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm));
+        Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm) { Conditions = Conditions });
     }
 
     /// <summary>A place with a deviation up to this value is not stored, whatever its exact value: of the places that are merged, another one deviates

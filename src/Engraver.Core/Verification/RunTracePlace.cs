@@ -8,4 +8,8 @@ namespace Engraver.Core.Verification;
 /// <param name="ToolOn">True when the tool output was on.</param>
 /// <param name="DeviationMm">Distance from the drawing while the tool was on; 0 while it was off.</param>
 /// <param name="FollowingMm">Distance of the motors from their commanded positions, millimetres; null when not recorded.</param>
-public readonly record struct RunTracePlace(double Seconds, Point2D Place, bool ToolOn, double DeviationMm, double? FollowingMm = null);
+public readonly record struct RunTracePlace(double Seconds, Point2D Place, bool ToolOn, double DeviationMm, double? FollowingMm = null)
+{
+    /// <summary>Feed override and load of the link at this place.</summary>
+    public TraceConditions Conditions { get; init; }
+}

@@ -18,6 +18,7 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
     private double _reported = double.NegativeInfinity;
     private double _journalled;
     private bool _isBegun;
+    private (long Timestamp, TimeSpan Busy)? _lastLoad;
 
     /// <param name="program">The fingerprint of the whole program.</param>
     /// <exception cref="IOException">A journal cannot be written: that of this job, or that of the job that it resumes.</exception>
@@ -124,5 +125,15 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
         Error = machine.State.Error,
         FeedRatio = machine.Speed.Override,
         RapidRatio = machine.Speed.RapidRatio,
+        LinkLoad = progress is null ? null : NextLinkLoad(machine),
     });
+
+    /// <summary>Part of the time since the last call in which the command handle was busy; null at the first call, and when no time has passed.</summary>
+    private double? NextLinkLoad(JobMachine machine)
+    {
+        var (now, last) = ((Timestamp: time.GetTimestamp(), Busy: machine.LinkBusy), _lastLoad);
+        _lastLoad = now;
+        if (last is not { } before || now.Timestamp <= before.Timestamp) return null;
+        return Math.Clamp((now.Busy - before.Busy) / time.GetElapsedTime(before.Timestamp, now.Timestamp), 0.0, 1.0);
+    }
 }

@@ -37,6 +37,9 @@ internal sealed class JobMachine
     /// <summary>The serial line that the job uses; null for a network.</summary>
     public SerialLine? Line => Session.Line;
 
+    /// <summary>Total time in which a command or transfer of this session was under way on the command handle.</summary>
+    public TimeSpan LinkBusy => Session.Commands.Busy;
+
     /// <summary>The job's clock.</summary>
     public TimeProvider Time => Session.Time;
 

@@ -35,6 +35,9 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>The serial line of this channel; null for none.</summary>
     public SerialLine? Line => _wire.Line;
 
+    /// <summary>Total time in which a command, download or upload was under way on this channel.</summary>
+    public TimeSpan Busy => _wire.Busy;
+
     /// <summary>Called with each line printed by a program in the controller.</summary>
     public Action<string>? MessageReceived
     {

@@ -65,6 +65,9 @@ internal sealed class CommandWire : IAsyncDisposable
     /// <summary>Null for a link that is not a serial line.</summary>
     public SerialLine? Line => _link.Line;
 
+    /// <summary>Total time from the first byte of each exchange to the end of its answer.</summary>
+    public TimeSpan Busy => _deadline.Busy;
+
     /// <summary>Every command is compared with its echo.</summary>
     public bool ComparesEcho => _echo is not null;
 

@@ -12,6 +12,8 @@ internal sealed class ReplyDeadline : IDisposable
     private TimeSpan _limit;
     private bool _waiting;
     private bool _armed;
+    private long _busySince;
+    private TimeSpan _busy;
 
     public ReplyDeadline(TimeProvider time)
     {
@@ -22,11 +24,21 @@ internal sealed class ReplyDeadline : IDisposable
     /// <summary>Cancelled permanently when a reply was overdue: the missed prompts can no longer be matched.</summary>
     public CancellationToken Expired => _expired.Token;
 
+    /// <summary>Total time of all waits, from their first <see cref="Start"/> to <see cref="Stop"/>.</summary>
+    public TimeSpan Busy
+    {
+        get
+        {
+            lock (_gate) return _waiting ? _busy + _time.GetElapsedTime(_busySince) : _busy;
+        }
+    }
+
     public void Start(TimeSpan limit)
     {
         lock (_gate)
         {
             _started = _time.GetTimestamp();
+            if (!_waiting) _busySince = _started;
             // A wait that ends before the armed time must not last that long.
             var mustArm = !_armed || limit < _limit;
             _limit = limit;
@@ -37,7 +49,11 @@ internal sealed class ReplyDeadline : IDisposable
 
     public void Stop()
     {
-        lock (_gate) _waiting = false;
+        lock (_gate)
+        {
+            if (_waiting) _busy += _time.GetElapsedTime(_busySince);
+            _waiting = false;
+        }
     }
 
     public void Dispose()

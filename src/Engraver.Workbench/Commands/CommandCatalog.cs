@@ -42,11 +42,11 @@ public sealed class CommandCatalog
         new EnterCommand(), new AutoSequenceCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new SacePathCommand(), new SaceOffsetCommand(), new SaceUniformOffsetCommand(), new SaceConstantOffsetsCommand(), new SaceDeepEngravingCommand(), new SaceHelicalDrillCommand(), .. SaceLengthCommand.All, new SaceToggleDensityCommand(), new SaceCornersCommand(),
         new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceUpdateTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),
-        new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new CertifyCommand(), new SendCommand(), new PlotCommand(), new ReportCommand(),
+        new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new CertifyCommand(), new SendCommand(), new PlotCommand(), new PlotExportCommand(), new ReportCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
-        new CncTraceCommand(), new AlarmsCommand(), new CncTerminalCommand(),
+        new CncTraceCommand(), new PlotCompareCommand(), new AlarmsCommand(), new CncTerminalCommand(),
         .. SettingCommand.All, new KerfCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,
     ]);
 }

@@ -10,6 +10,7 @@ using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Playback;
+using Engraver.Workbench.Plots;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -40,6 +41,11 @@ public sealed class CommandContext
     public DerivationSession Derivation => _session.Derivation;
 
     public PlaybackSession Playback => _session.Playback;
+
+    public PlotSession Plots => _session.Plots;
+
+    /// <summary>Draws plots into pictures; null where the front end has no graphics library.</summary>
+    internal IPlotRenderer? PlotRenderer => _session.Environment.PlotRenderer;
 
     /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
     internal SequenceAnimation SequenceAnimation => _session.SequenceAnimation;

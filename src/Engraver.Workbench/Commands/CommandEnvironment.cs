@@ -1,4 +1,5 @@
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Plots;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
@@ -38,6 +39,9 @@ public sealed record CommandEnvironment
 
     /// <summary>Reports of internal errors; null: only in the command history.</summary>
     public FailureReports? Failures { get; init; }
+
+    /// <summary>Draws plots into pictures; null where the front end has no graphics library.</summary>
+    public IPlotRenderer? PlotRenderer { get; init; }
 
     /// <summary>Speed of a simulated controller whose address does not define it: controller seconds per wall-clock second; infinity for the maximum speed. The
     /// desktop uses real time.</summary>

@@ -11,6 +11,7 @@ using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Playback;
+using Engraver.Workbench.Plots;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -37,6 +38,7 @@ public sealed class CommandSession : IAsyncDisposable
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
+        Plots = new PlotSession(Derivation, Machine);
         TypeAhead = new TypeAheadBuffer(this);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
@@ -71,6 +73,9 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Playback of the planned motion of the last derived document.</summary>
     public PlaybackSession Playback { get; }
+
+    /// <summary>The plotted motions.</summary>
+    public PlotSession Plots { get; }
 
     /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
     public SequenceAnimation SequenceAnimation { get; } = new();
@@ -121,6 +126,9 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Folder for relative file names.</summary>
     public string Folder => Environment.Folder;
+
+    /// <summary>Folder of journals without an explicit path; null for the operator's data folder.</summary>
+    public string? RunJournalFolder => Environment.RunJournalFolder;
 
     internal CommandEnvironment Environment { get; }
 

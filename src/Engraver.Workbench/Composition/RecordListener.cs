@@ -37,6 +37,15 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         }
     }
 
+    /// <summary>Sets the conditions of the places that are added from now on.</summary>
+    public void SetConditions(TraceConditions conditions)
+    {
+        lock (_gate)
+        {
+            Places?.Conditions = conditions;
+        }
+    }
+
     /// <summary>One verdict for each judge.</summary>
     public TraceVerdict[] Verdicts()
     {

@@ -11,6 +11,19 @@ public static class OutputFile
     /// <exception cref="UnauthorizedAccessException">Access is denied; no file remains.</exception>
     public static void Write(string path, Action<TextWriter> write)
     {
+        ArgumentNullException.ThrowIfNull(write);
+        WriteBytes(path, stream =>
+        {
+            using var writer = new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), leaveOpen: true) { NewLine = "\n" };
+            write(writer);
+        });
+    }
+
+    /// <summary>Writes bytes.</summary>
+    /// <exception cref="IOException">The path cannot be written; no file remains.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied; no file remains.</exception>
+    public static void WriteBytes(string path, Action<Stream> write)
+    {
         var target = TargetOf(path);
         if (FileKind.IsStream(path) || FileKind.IsStream(target)) WriteInPlace(path, write);
         else Replace(target, write);
@@ -34,18 +47,16 @@ public static class OutputFile
         return new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
     }
 
-    private static void WriteInPlace(string path, Action<TextWriter> write)
+    private static void WriteInPlace(string path, Action<Stream> write)
     {
-        using var writer = Text(new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite));
-        write(writer);
+        using var stream = new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite);
+        write(stream);
     }
 
-    private static void Replace(string path, Action<TextWriter> write)
+    private static void Replace(string path, Action<Stream> write)
     {
         using var temporary = new TemporaryFile(path);
-        using (var writer = Text(temporary.Create())) write(writer);
+        using (var stream = temporary.Create()) write(stream);
         temporary.ReplaceTarget();
     }
-
-    private static StreamWriter Text(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" };
 }

@@ -87,6 +87,32 @@ public sealed class PlannedMotion
     /// <summary>Start time of the first segment of a drawing entity; null if it is not cut.</summary>
     public double? TimeOfEntity(int entity) => First(_segmentOfEntity.Value, entity) is { } segment ? TimeOfSegment(segment) : null;
 
+    /// <summary>The spans of time in which a drawing entity is cut, in their order; empty if it is not cut. Takes linear time.</summary>
+    public IReadOnlyList<(double Start, double End)> TimesOfEntity(int entity)
+    {
+        if (First(_segmentOfEntity.Value, entity) is not { } first) return [];
+        var (times, start, at) = (new List<(double, double)>(), -1, 0);
+        for (var number = 0; number < _firstSegments.Length; number++)
+        {
+            var (stroke, sequence) = PlaceOf(_firstSegments[number]);
+            var segments = _program.Strokes[stroke].Sequences[sequence].Segments;
+            for (var i = 0; i < segments.Count; i++, at++)
+            {
+                var isOfEntity = at >= first && segments[i].EntityIndex == entity;
+                if (isOfEntity && start < 0) start = at;
+                if (isOfEntity || start < 0) continue;
+                times.Add((TimeOfSegment(start), TimeOfSegment(at)));
+                start = -1;
+            }
+
+            if (start < 0) continue;
+            times.Add((TimeOfSegment(start), _timeline.CutOf(number).End));
+            start = -1;
+        }
+
+        return times;
+    }
+
     /// <summary>Start time of the first segment of a row of the sequenced table; null if the row is shorter than a count.</summary>
     public double? TimeOfRow(int row) => First(_segmentOfRow.Value, row) is { } segment ? TimeOfSegment(segment) : null;
 

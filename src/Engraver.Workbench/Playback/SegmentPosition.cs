@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Workbench.Playback;
 
@@ -40,19 +41,7 @@ internal static class SegmentPosition
     /// <summary>A speed along the path (counts/s) as mm/s: with unequal axes it depends on the direction.</summary>
     public static double Millimetres(in VectorSegment segment, CountsPoint from, double done, double speed, CountsScale scale)
     {
-        var way = Direction(segment, from, segment.Length > 0.0 ? done / segment.Length : 0.0);
+        var way = SequenceKinematics.Direction(segment, from, segment.Length > 0.0 ? done / segment.Length : 0.0);
         return speed * scale.ToMillimetres(way).Length;
-    }
-
-    private static Vector2D Direction(in VectorSegment segment, CountsPoint from, double fraction)
-    {
-        if (segment.Kind != VectorSegmentKind.Line)
-        {
-            var spoke = Angle.FromDegrees(segment.ThetaDegrees + (fraction * segment.DeltaDegrees));
-            return new Vector2D(-spoke.Sin(), spoke.Cos());
-        }
-
-        var way = new Vector2D((double)segment.End.X - from.X, (double)segment.End.Y - from.Y);
-        return way.Length > 0.0 ? way * (1.0 / way.Length) : default;
     }
 }

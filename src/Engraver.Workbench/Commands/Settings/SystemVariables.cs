@@ -1,5 +1,6 @@
 using Engraver.Core.Plots;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Plots;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -21,6 +22,8 @@ public static class SystemVariables
         InSettings(Auprec, 2, 0, 8),
         InSettings(CncTraceColor, 1, 0, 2),
         InSettings(AutoWalk, 0, 0, 1),
+        InSettings(PlotPanels, PlotPanel.DefaultMask, 0, PlotPanel.FullMask),
+        InSettings(PlotOver, 0, 0, 1),
         InView("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
         InView("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0, Polar = v.Polar && x == 0.0 }),
         InView("POLARTRACK", 0, 0, 1, true, v => v.Polar ? 1 : 0, (v, x) => v with { Polar = x != 0.0, Ortho = v.Ortho && x == 0.0 }),
@@ -38,6 +41,12 @@ public static class SystemVariables
     /// <summary>AUTOSEQUENCE asks at each discontinuity whether it continues from there.</summary>
     internal const string AutoWalk = "AUTOWALK";
 
+    /// <summary>The visible plots: the sum of the numbers of <see cref="PlotPanel.Mask"/>.</summary>
+    internal const string PlotPanels = "CNCPLOTS";
+
+    /// <summary>What plots are drawn over, in the order of <see cref="PlotAxis"/>.</summary>
+    internal const string PlotOver = "CNCPLOTAXIS";
+
     /// <summary>Decimals of lengths, as in AutoCAD.</summary>
     private const string Luprec = "LUPREC";
 
@@ -49,6 +58,23 @@ public static class SystemVariables
 
     /// <summary>What the colour of a run shows.</summary>
     public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);
+
+    /// <summary>The plots that the operator has chosen.</summary>
+    public static IReadOnlyList<PlotPanel> ChosenPlots(this DesktopSettings settings) => [.. PlotPanel.All.Where(panel => ((int)Variable(settings, PlotPanels) & panel.Mask) != 0)];
+
+    /// <summary>The settings with one plot chosen or not.</summary>
+    public static DesktopSettings WithPlot(this DesktopSettings settings, PlotPanel panel, bool isChosen)
+    {
+        ArgumentNullException.ThrowIfNull(panel);
+        var now = (int)Variable(settings, PlotPanels);
+        return settings.WithVariable(PlotPanels, isChosen ? now | panel.Mask : now & ~panel.Mask);
+    }
+
+    /// <summary>What plots are drawn over.</summary>
+    public static PlotAxis PlotAxis(this DesktopSettings settings) => (PlotAxis)(int)Variable(settings, PlotOver);
+
+    /// <summary>The settings with plots over another axis.</summary>
+    public static DesktopSettings WithPlotAxis(this DesktopSettings settings, PlotAxis axis) => settings.WithVariable(PlotOver, (int)axis);
 
     internal static IEnumerable<SystemVariable> All => s_table.Select(row => row.Variable);
 

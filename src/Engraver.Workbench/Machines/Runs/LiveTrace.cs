@@ -26,6 +26,7 @@ internal sealed class LiveTrace(PreparedJob job, bool isDryRun)
     public RecordedRun? Add(JobProgress told)
     {
         _error = told.Error ?? _error;
+        _places.Conditions = RunJudge.ConditionsOf(told);
         _places.Add(RunJudge.Sample(job, told, isDryRun, _error));
         if (told.Seconds - _shown < MinInterval) return null;
         _shown = told.Seconds;

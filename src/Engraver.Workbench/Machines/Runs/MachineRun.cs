@@ -152,7 +152,13 @@ public static class MachineRun
         if (machine.Identity.UntriedFamily is { } family) options.FindingReported?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));
         if (placement.UnknownMotorTypes.Count > 0) options.FindingReported?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.UnknownMotorTypes)));
         placement.NoteStart();
-        var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
+        var observer = new JobListener(told =>
+        {
+            listener?.SetConditions(RunJudge.ConditionsOf(told));
+            polled?.SetConditions(RunJudge.ConditionsOf(told));
+            progress?.Report(told);
+        });
+        var result = await machine.RunAsync(placement.Program, jobOptions, observer, stop).ConfigureAwait(false);
         if (placement.NoteEnd(result) is { } unkept) options.FindingReported?.Invoke(unkept);
         return (result, judgement, Recorded(result, listener, polled, options));
     }

@@ -26,6 +26,9 @@ internal sealed class PolledJudge
         _motors = new MotorJudge(() => motors);
     }
 
+    /// <summary>Conditions of the places that are added from now on.</summary>
+    public void SetConditions(TraceConditions conditions) => _places.Conditions = conditions;
+
     public void Add(TracePoint point)
     {
         var profile = _job.Settings.Machine;

@@ -49,6 +49,9 @@ public static class RunJudge
     /// <summary>Creates the builder of a trace with the deviation from the drawing.</summary>
     internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());
 
+    /// <summary>The conditions of a running job, for its trace.</summary>
+    internal static TraceConditions ConditionsOf(JobProgress told) => new(told.FeedRatio, told.LinkLoad);
+
     /// <summary>A sample from the progress of a running job; in a dry run the path counts as cut.</summary>
     /// <param name="error">The last reported position error; null if it is not polled.</param>
     internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun, CountsPoint? error) =>

@@ -88,7 +88,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Step();
         Take(here, "playback");
         here.Show("Plots");
-        Take(here, "speed-plot");
+        TakeMoving(here, "speed-plot");
     });
 
     [Fact]

@@ -1,0 +1,13 @@
+namespace Engraver.Workbench.Plots;
+
+/// <summary>A planned motion at one time.</summary>
+/// <param name="Seconds">Since the start of the job.</param>
+/// <param name="Path">Length of the path travelled, mm.</param>
+/// <param name="Entity">Drawing entity that is cut or is next.</param>
+/// <param name="Speed">mm/min.</param>
+/// <param name="AccelerationX">mm/s2.</param>
+/// <param name="AccelerationY">mm/s2.</param>
+internal readonly record struct PlannedSample(double Seconds, double Path, int Entity, double Speed, double AccelerationX, double AccelerationY)
+{
+    public double LargestAcceleration => Math.Max(Math.Abs(AccelerationX), Math.Abs(AccelerationY));
+}

@@ -1,0 +1,159 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Workbench.Playback;
+
+namespace Engraver.Workbench.Plots;
+
+/// <summary>Speed and acceleration of the planned motion, at every place where they change.</summary>
+public static class PlannedSeries
+{
+    /// <summary>Default maximum number of samples.</summary>
+    public const int MaxSamples = 1_000_000;
+
+    private const double SecondsPerMinute = 60.0;
+
+    /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a tenth of its amplitude.</summary>
+    private const double ArcStepDegrees = 5.0;
+
+    /// <summary>Number of parts of a ramp of a rapid, where the speeds of two axes are combined.</summary>
+    private const int PartsOfRamp = 4;
+
+    /// <param name="maxSamples">At least 8.</param>
+    public static MotionSeries From(PlannedMotion motion, int maxSamples, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(motion);
+        ArgumentOutOfRangeException.ThrowIfLessThan(maxSamples, 8);
+        var walk = new Walk(motion.Timeline, new SeriesBuilder(maxSamples));
+        foreach (var span in motion.Timeline.Spans)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            walk.Add(span);
+        }
+
+        return walk.ToSeries();
+    }
+
+    private sealed class Walk(MotionTimeline timeline, SeriesBuilder samples)
+    {
+        private readonly MotionProgram _program = timeline.Program;
+        private readonly CountsScale _scale = timeline.Program.Profile.Scale;
+        private double _path;
+
+        public MotionSeries ToSeries() => samples.ToSeries();
+
+        public void Add(in MotionSpan span)
+        {
+            switch (span.Kind)
+            {
+                case MotionSpanKind.Cut:
+                    AddCut(span);
+                    break;
+                case MotionSpanKind.Rapid:
+                    AddRapid(span);
+                    break;
+                default:
+                    AddAtRest(span);
+                    break;
+            }
+        }
+
+        private VectorSequence SequenceOf(in MotionSpan span) => _program.Strokes[span.Stroke].Sequences[span.Sequence];
+
+        private int EntityOf(in MotionSpan span) => SequenceOf(span).Segments is { Count: > 0 } segments ? segments[0].EntityIndex : -1;
+
+        private void AddAtRest(in MotionSpan span)
+        {
+            var entity = EntityOf(span);
+            samples.Add(new PlannedSample(span.Start, _path, entity, 0.0, 0.0, 0.0));
+            samples.Add(new PlannedSample(span.End, _path, entity, 0.0, 0.0, 0.0));
+        }
+
+        /// <summary>Each axis runs its own trapezoid; the samples are at the corners of both and between them.</summary>
+        private void AddRapid(in MotionSpan span)
+        {
+            var axes = timeline.RapidOf(span);
+            var directions = new Vector2D(Math.Sign((long)span.To.X - span.From.X), Math.Sign((long)span.To.Y - span.From.Y));
+            var entity = EntityOf(span);
+            var end = span.Seconds;
+            var corners = axes.SelectMany(CornersOf).Append(end).Where(at => at <= end).Distinct().Order().ToList();
+            var last = default(Vector2D);
+            for (var i = 1; i < corners.Count; i++)
+            {
+                var (from, to) = (corners[i - 1], corners[i]);
+                var acceleration = _scale.ToMillimetres(new Vector2D(directions.X * GainOf(axes[0], (from + to) / 2.0), directions.Y * GainOf(axes[1], (from + to) / 2.0)));
+                for (var part = 0; part <= PartsOfRamp; part++)
+                {
+                    var at = from + ((to - from) * part / PartsOfRamp);
+                    var travelled = _scale.ToMillimetres(new Vector2D(axes[0].DistanceAt(at), axes[1].DistanceAt(at)));
+                    _path += (travelled - last).Length;
+                    last = travelled;
+                    var speed = _scale.ToMillimetres(new Vector2D(axes[0].SpeedAt(at), axes[1].SpeedAt(at))).Length;
+                    samples.Add(new PlannedSample(span.Start + at, _path, entity, speed * SecondsPerMinute, acceleration.X, acceleration.Y));
+                }
+            }
+        }
+
+        private static IEnumerable<double> CornersOf(SpeedTrapezoid axis) => axis.Distance > 0.0 ? [0.0, axis.RampSeconds, axis.Seconds - axis.RampSeconds, axis.Seconds] : [0.0];
+
+        /// <summary>Acceleration of one axis, counts/s2; 0 at constant speed and after its end.</summary>
+        private static double GainOf(SpeedTrapezoid axis, double at) => at < axis.RampSeconds ? axis.Acceleration : at > axis.Seconds ? 0.0 : at > axis.Seconds - axis.RampSeconds ? -axis.Acceleration : 0.0;
+
+        private void AddCut(in MotionSpan span)
+        {
+            var sequence = SequenceOf(span);
+            var acceleration = _program.Profile.AccelerationCounts;
+            var (profile, kinematics) = (new SpeedTrapezoid(sequence.Length, sequence.Speed, acceleration), new SequenceKinematics(sequence, acceleration, _scale));
+            var ramp = profile.DistanceAt(profile.RampSeconds);
+            var (start, from) = (0.0, sequence.Start);
+            foreach (var segment in sequence.Segments)
+            {
+                var parts = Math.Max(1, (int)Math.Ceiling(Math.Abs(segment.DeltaDegrees) / ArcStepDegrees));
+                var at = 0.0;
+                for (var part = 1; part <= parts; part++)
+                {
+                    var end = segment.Length * part / parts;
+                    foreach (var corner in (ReadOnlySpan<double>)[ramp - start, sequence.Length - ramp - start, end])
+                    {
+                        if (corner <= at || corner > end) continue;
+                        AddPiece(span, profile, kinematics, new PieceOfSegment(segment, from, start, at, corner));
+                        at = corner;
+                    }
+                }
+
+                start += segment.Length;
+                from = segment.End;
+            }
+        }
+
+        /// <summary>A piece in which the acceleration along the path does not change.</summary>
+        private void AddPiece(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece)
+        {
+            var (segment, from) = (piece.Segment, piece.From);
+            var (first, second) = (piece.At / segment.Length, piece.End / segment.Length);
+            var inside = piece.SegmentStart + ((piece.At + piece.End) / 2.0);
+            AddSample(span, profile, kinematics, piece, first, piece.At, inside);
+            _path += _scale.ToMillimetres(SequenceKinematics.Direction(segment, from, (first + second) / 2.0) * (piece.End - piece.At)).Length;
+            AddSample(span, profile, kinematics, piece, second, piece.End, inside);
+        }
+
+        /// <param name="fraction">Place on the segment, 0 to 1.</param>
+        /// <param name="at">The same in counts from the start of the segment.</param>
+        /// <param name="inside">A place of the sequence inside the piece, where the acceleration along the path is taken: at its ends it changes.</param>
+        private void AddSample(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, double fraction, double at, double inside)
+        {
+            var path = piece.SegmentStart + at;
+            var seconds = Math.Min(span.Start + profile.TimeAt(path), span.End);
+            var speed = kinematics.VelocityAt(piece.Segment, piece.From, fraction, path).Length;
+            var acceleration = kinematics.AccelerationAt(piece.Segment, piece.From, fraction, path, inside);
+            samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityIndex, speed * SecondsPerMinute, acceleration.X, acceleration.Y));
+        }
+    }
+
+    /// <summary>A part of a segment, in counts.</summary>
+    /// <param name="From">Start of the segment.</param>
+    /// <param name="SegmentStart">Length of the sequence before the segment.</param>
+    /// <param name="At">Start of the part, from the start of the segment.</param>
+    /// <param name="End">End of the part.</param>
+    private readonly record struct PieceOfSegment(VectorSegment Segment, CountsPoint From, double SegmentStart, double At, double End);
+}

@@ -1,0 +1,87 @@
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Plots;
+
+/// <summary>The plotted motions: the plan, the run that is under way or was the last, and a stored run for comparison.</summary>
+/// <remarks>Any thread.</remarks>
+public sealed class PlotSession(DerivationSession derivation, MachineSession machine)
+{
+    private readonly Lock _guard = new();
+    private readonly Cached<PlannedMotion> _plan = new();
+    private readonly Cached<RecordedRun> _run = new();
+    private readonly Cached<RecordedRun> _comparedSeries = new();
+    private (string Journal, RecordedRun Run)? _compared;
+
+    /// <summary>Raised after another stored run was chosen for comparison.</summary>
+    public event EventHandler? Changed;
+
+    /// <summary>The journal of the stored run for comparison; null for none.</summary>
+    public string? ComparedJournal
+    {
+        get
+        {
+            lock (_guard) return _compared?.Journal;
+        }
+    }
+
+    /// <summary>Sets the stored run for comparison.</summary>
+    /// <param name="journal">Its journal.</param>
+    public void Compare(string journal, RecordedRun run)
+    {
+        lock (_guard) _compared = (journal, run);
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    /// <summary>Removes the run for comparison.</summary>
+    public void CompareNothing()
+    {
+        lock (_guard) _compared = null;
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    /// <summary>True if the plan has changed since the last call of <see cref="Content"/>, and its samples must be computed.</summary>
+    public bool IsPlanNew => !_plan.IsOf(derivation.Current.Motion);
+
+    /// <summary>Content of the plots. Series are computed when their motion has changed.</summary>
+    public PlotContent Content(DesktopSettings settings, CancellationToken cancellation)
+    {
+        var (current, recorded) = (derivation.Current, machine.Runs.Recorded);
+        (string Journal, RecordedRun Run)? compared;
+        lock (_guard) compared = _compared;
+        var series = new List<PlotSeries>();
+        if (_plan.Of(current.Motion, motion => PlannedSeries.From(motion, PlannedSeries.MaxSamples, cancellation)) is { Count: > 0 } plan) series.Add(new PlotSeries(PlotRole.Plan, "", plan));
+        if (_run.Of(recorded, run => TraceSeries.From(run.Trace)) is { Count: > 0 } run) series.Add(new PlotSeries(PlotRole.Run, "", run));
+        if (_comparedSeries.Of(compared?.Run, run => TraceSeries.From(run.Trace)) is { Count: > 0 } other) series.Add(new PlotSeries(PlotRole.Compared, Path.GetFileNameWithoutExtension(compared!.Value.Journal), other));
+        var limits = (current.Job ?? recorded?.Job) is { } job ? PlotLimit.Of(job) : [];
+        return PlotContent.Create(settings.PlotAxis(), settings.ChosenPlots(), series, limits);
+    }
+
+    /// <summary>The series of the last motion.</summary>
+    private sealed class Cached<T>
+        where T : class
+    {
+        private readonly Lock _guard = new();
+        private T? _motion;
+        private MotionSeries? _series;
+
+        public bool IsOf(T? motion)
+        {
+            lock (_guard) return ReferenceEquals(motion, _motion);
+        }
+
+        public MotionSeries? Of(T? motion, Func<T, MotionSeries> compute)
+        {
+            lock (_guard)
+            {
+                if (ReferenceEquals(motion, _motion)) return _series;
+                (_series, _motion) = (motion is null ? null : compute(motion), motion);
+                return _series;
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+using System.Runtime.InteropServices;
+
+namespace Engraver.Workbench.Plots;
+
+/// <summary>Collects the samples of a planned motion. Above a maximum number only two samples of each group are kept, those of the highest speed and of the
+/// largest acceleration, so that peaks remain.</summary>
+/// <param name="maxSamples">At least 8.</param>
+internal sealed class SeriesBuilder(int maxSamples)
+{
+    /// <summary>Number of stored samples that are merged to two at a time.</summary>
+    private const int Merged = 4;
+
+    private readonly List<PlannedSample> _samples = [];
+    private readonly List<PlannedSample> _group = [];
+
+    /// <summary>Number of samples of which two are kept; 1 while all are kept.</summary>
+    private int _groupSize = 1;
+
+    /// <summary>Adds a sample, unless it equals the one before.</summary>
+    public void Add(in PlannedSample sample)
+    {
+        var before = _groupSize == 1 ? _samples : _group;
+        if (before.Count > 0 && before[^1] == sample) return;
+        before.Add(sample);
+        if (_group.Count == _groupSize && _groupSize > 1) Flush();
+        if (_samples.Count >= maxSamples) Thin();
+    }
+
+    public MotionSeries ToSeries()
+    {
+        if (_group.Count > 0) Flush();
+        var count = _samples.Count;
+        var (seconds, path, entities, speed, x, y) = (new double[count], new double[count], new int[count], new double[count], new double[count], new double[count]);
+        for (var i = 0; i < count; i++) (seconds[i], path[i], entities[i], speed[i], x[i], y[i]) = _samples[i];
+        return new MotionSeries(MotionSource.Planned, seconds, path, entities, (PlotQuantity.Speed, speed), (PlotQuantity.AccelerationX, x), (PlotQuantity.AccelerationY, y));
+    }
+
+    private void Flush()
+    {
+        var (first, second) = Peaks(CollectionsMarshal.AsSpan(_group));
+        _samples.Add(first);
+        if (second != first) _samples.Add(second);
+        _group.Clear();
+    }
+
+    private void Thin()
+    {
+        var all = CollectionsMarshal.AsSpan(_samples);
+        var kept = 0;
+        for (var i = 0; i < all.Length; i += Merged)
+        {
+            var (first, second) = Peaks(all[i..Math.Min(i + Merged, all.Length)]);
+            (all[kept], all[kept + 1]) = (first, second);
+            kept += 2;
+        }
+
+        _samples.RemoveRange(kept, _samples.Count - kept);
+        _groupSize = _groupSize == 1 ? Merged : 2 * _groupSize;
+    }
+
+    /// <summary>The sample of the highest speed and the one of the largest acceleration, in the order of time.</summary>
+    private static (PlannedSample First, PlannedSample Second) Peaks(ReadOnlySpan<PlannedSample> group)
+    {
+        var (fastest, steepest) = (0, 0);
+        for (var i = 1; i < group.Length; i++)
+        {
+            if (group[i].Speed > group[fastest].Speed) fastest = i;
+            if (group[i].LargestAcceleration > group[steepest].LargestAcceleration) steepest = i;
+        }
+
+        return (group[Math.Min(fastest, steepest)], group[Math.Max(fastest, steepest)]);
+    }
+}
