@@ -21,7 +21,7 @@ internal static class DesktopBenchmark
             return null;
         }
 
-        if (options is { Benchmark: BenchmarkName.Open or BenchmarkName.Weight, File: null }) return Engraver.App.Texts.Text.Get("Start.NoDrawing");
+        if (options is { Benchmark: BenchmarkName.Open or BenchmarkName.Weight or BenchmarkName.Plots, File: null }) return Engraver.App.Texts.Text.Get("Start.NoDrawing");
         var session = new DesktopSession(new CommandEnvironment { RunJournalFolder = Path.GetTempPath() });
         try
         {

@@ -40,31 +40,45 @@ internal static class PlotPicture
     private const double Margin = 0.06;
 
     /// <param name="scale">Pixels for each unit of the window.</param>
-    public static Multiplot Create(PlotContent content, PlotColours colours, double scale)
+    /// <param name="hasLegend">Each plot has a legend; in the window the page has one for all.</param>
+    public static Multiplot Create(PlotContent content, PlotColours colours, double scale, bool hasLegend)
     {
         InterFonts.Use();
         var rows = new Multiplot { Layout = new AlignedRows((float)(AxisHeight * scale)) };
         while (rows.Subplots.Count > 0) rows.Subplots.RemoveAt(0);
-        foreach (var panel in content.Panels) rows.Subplots.Add(PlotOf(content, panel, colours, scale, isLast: ReferenceEquals(panel, content.Panels[^1])));
+        foreach (var panel in content.Panels) rows.Subplots.Add(PlotOf(content, panel, colours, scale, hasLegend));
         rows.SharedAxes.ShareX(rows.Subplots.GetPlots());
         return rows;
     }
 
-    private static Plot PlotOf(PlotContent content, PlotPanel panel, PlotColours colours, double scale, bool isLast)
+    private static Plot PlotOf(PlotContent content, PlotPanel panel, PlotColours colours, double scale, bool hasLegend)
     {
         var plot = new Plot { ScaleFactor = scale };
         var (low, high) = RangeOf(content, panel);
         AddCurves(plot, content, panel, colours);
         AddLimits(plot, content, panel, colours, low, high);
-        StyleAxes(plot, content.Axis, colours, isLast);
-        AddTitle(plot, Text.Get("Plots.Title." + panel.Key), colours);
-        var legend = plot.ShowLegend(Alignment.UpperRight, Orientation.Horizontal);
-        (legend.BackgroundColor, legend.FontColor, legend.OutlineColor, legend.FontSize) = (Of(colours.Field).WithAlpha(LegendOpacity), Of(colours.Text), Colors.Transparent, FontSize);
-        (legend.ShadowColor, legend.Padding, legend.Margin, legend.TightHorizontalWrapping) = (Colors.Transparent, new PixelPadding(4.0f, 1.0f), new PixelPadding(4.0f, 2.0f), true);
+        StyleAxes(plot, content.Axis, colours, isLast: ReferenceEquals(panel, content.Panels[^1]));
+        AddTitle(plot, TitleOf(content, panel), colours);
+        if (hasLegend) ShowLegend(plot, colours);
         plot.Axes.SetLimits(0.0, Math.Max(content.End, double.Epsilon), low, high);
         plot.Axes.Rules.Add(new LockedVertical(plot.Axes.Left, low, high));
         plot.Axes.Rules.Add(new MaximumBoundary(plot.Axes.Bottom, plot.Axes.Left, new AxisLimits(0.0, content.End, low, high)));
         return plot;
+    }
+
+    /// <summary>Title with the unit and the largest limit of the plot.</summary>
+    private static string TitleOf(PlotContent content, PlotPanel panel)
+    {
+        var title = Text.Get("Plots.Title." + panel.Key);
+        var limits = content.Limits.Where(limit => panel.Quantities.Contains(limit.Quantity)).Select(limit => limit.Value).ToList();
+        return limits.Count == 0 ? title : Text.Get("Plots.TitleWithLimit", title, Text.Get("Plots.Limit." + panel.Key, Number(Math.Round(limits.Max(), 4))));
+    }
+
+    private static void ShowLegend(Plot plot, PlotColours colours)
+    {
+        var legend = plot.ShowLegend(Alignment.UpperRight, Orientation.Horizontal);
+        (legend.BackgroundColor, legend.FontColor, legend.OutlineColor, legend.FontSize) = (Of(colours.Field).WithAlpha(LegendOpacity), Of(colours.Text), Colors.Transparent, FontSize);
+        (legend.ShadowColor, legend.Padding, legend.Margin, legend.TightHorizontalWrapping) = (Colors.Transparent, new PixelPadding(4.0f, 1.0f), new PixelPadding(4.0f, 2.0f), true);
     }
 
     /// <summary>The title is inside the field, so that low rows keep most of their height for the curves.</summary>
@@ -126,14 +140,8 @@ internal static class PlotPicture
 
     private static void AddLimits(Plot plot, PlotContent content, PlotPanel panel, PlotColours colours, double low, double high)
     {
-        var values = content.Limits.Where(limit => panel.Quantities.Contains(limit.Quantity)).Select(limit => limit.Value).Distinct().ToList();
-        for (var i = 0; i < values.Count; i++)
-        {
-            var line = plot.Add.HorizontalLine(Math.Clamp(values[i], low, high), LineWidth, Of(colours.Limit), LinePattern.Dashed);
-            line.IsVisible = values[i] >= low && values[i] <= high;
-            line.EnableAutoscale = false;
-            if (i == 0) line.LegendText = Text.Get("Plots.Limit." + panel.Key, Number(Math.Round(values[i], 4)));
-        }
+        foreach (var value in content.Limits.Where(limit => panel.Quantities.Contains(limit.Quantity)).Select(limit => limit.Value).Distinct().Where(value => value >= low && value <= high))
+            plot.Add.HorizontalLine(value, LineWidth, Of(colours.Limit), LinePattern.Dashed);
     }
 
     private static void StyleAxes(Plot plot, PlotAxis axis, PlotColours colours, bool isLast)

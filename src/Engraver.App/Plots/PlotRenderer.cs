@@ -33,6 +33,6 @@ internal sealed class PlotRenderer : IPlotRenderer
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(width);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(height);
-        Dispatcher.UIThread.Invoke(() => draw(PlotPicture.Create(content, PlotColours.Of(Application.Current!, ThemeVariant.Light), 1.0)));
+        Dispatcher.UIThread.Invoke(() => draw(PlotPicture.Create(content, PlotColours.Of(Application.Current!, ThemeVariant.Light), 1.0, hasLegend: true)));
     }
 }

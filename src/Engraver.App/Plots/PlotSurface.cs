@@ -302,7 +302,7 @@ public sealed class PlotSurface : Control, IPlotControl
         _built = Content;
         foreach (var plot in Multiplot.Subplots.GetPlots()) plot.Dispose();
         (_builtScale, DisplayScale, _isOutdated) = (Scaling, (float)Scaling, true);
-        Multiplot = PlotPicture.Create(Content, PlotColours.Of(this, ActualThemeVariant), Scaling);
+        Multiplot = PlotPicture.Create(Content, PlotColours.Of(this, ActualThemeVariant), Scaling, hasLegend: false);
         UserInputProcessor.ResetState(this);
         if (kept is var (start, end) && start < Content.End) Show(start, end);
     }

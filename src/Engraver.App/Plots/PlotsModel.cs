@@ -27,7 +27,9 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     private (IReadOnlyList<int>? Selection, PlotContent? Content) _marked;
     private (string? Drawing, RecordedRun? Run)? _listed;
     private double? _pointed;
-    private CancellationTokenSource? _sampling;
+
+    /// <summary>Number of the last sampling; an earlier one is discarded.</summary>
+    private int _sampling;
 
     public PlotsModel(DesktopModel desk)
     {
@@ -42,6 +44,9 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     public PlotContent Content { get; private set; } = PlotContent.Nothing;
 
     public bool IsEmpty => Content.Panels.Count == 0;
+
+    /// <summary>Names and colours of the curves.</summary>
+    public IReadOnlyList<PlotLegendEntry> Legend => PlotLegendEntry.Of(Content);
 
     /// <summary>One switch for each plot.</summary>
     public IReadOnlyList<PlotToggle> Panels { get; }
@@ -142,7 +147,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     /// <summary>A hidden page keeps no reference to an old plan.</summary>
     private void Hide()
     {
-        _sampling?.Cancel();
+        _sampling++;
         if (IsEmpty) return;
         (Content, Marks, _shown, _marked) = (PlotContent.Nothing, [], default, default);
         OnPropertyChanged(null);
@@ -176,16 +181,15 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     private void Sample(PlannedMotion motion)
     {
         if (!Sampled.IsCompleted && ReferenceEquals(_shown.Motion, motion)) return;
-        _sampling?.Cancel();
-        var sampling = _sampling = new CancellationTokenSource();
+        var sampling = ++_sampling;
         _shown = (motion, null, null, default, 0, false);
         var (plots, settings) = (_desk.Session.Plots, Settings);
-        Sampled = ContinueAsync(Task.Run(() => plots.Content(settings, sampling.Token), sampling.Token));
+        Sampled = ContinueAsync(Task.Run(() => plots.Content(settings, _desk.Queue.Closing)));
 
         async Task ContinueAsync(Task sampled)
         {
             await sampled.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
-            if (sampled.IsCompletedSuccessfully) Refresh();
+            if (sampled.IsCompletedSuccessfully && sampling == _sampling) Refresh();
         }
     }
 

@@ -28,5 +28,8 @@ internal static class BenchmarkName
     /// <summary>Cost of a large drawing: processor time and memory of opening, planning, moving, closing and opening again.</summary>
     public const string Weight = "weight";
 
-    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames];
+    /// <summary>The Plots page of a large drawing: first picture, frames, memory.</summary>
+    public const string Plots = "plots";
+
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames, Plots];
 }

@@ -35,6 +35,11 @@ public interface IMachineDriver : IControllerFamily
     /// <param name="address">Null for none: as over a network.</param>
     MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy);
 
+    /// <summary>The largest part of its time in which a link must transmit the commands of a sequence at its speed, 0 to 1, more if it is too slow; null if the
+    /// link has no such limit.</summary>
+    /// <param name="address">Null for none.</param>
+    double? LinkLoad(VectorSequence sequence, ControllerAddress? address, ExecutionStrategy strategy);
+
     /// <summary>Identifies the controller at the other end of a link. The driver opens no link itself.</summary>
     /// <param name="openLink">Opens one more link to the same controller.</param>
     /// <param name="trace">Receives every line on the wire; null for none.</param>

@@ -44,6 +44,13 @@ public sealed class GalilDriver : IMachineDriver
 
     public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => JobTime.Estimate(program, LineOf(address), JobModes.Of(strategy));
 
+    public double? LinkLoad(VectorSequence sequence, ControllerAddress? address, ExecutionStrategy strategy)
+    {
+        if (LineOf(address) is not { } line || JobModes.Of(strategy) != JobMode.Stream) return null;
+        var (needed, carried) = LinkFeedLimit.Rates(sequence, line);
+        return needed / carried;
+    }
+
     public async Task<IMachineConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(openLink, trace, time, cancellation).ConfigureAwait(false);
 

@@ -24,6 +24,14 @@ public static class JobPlan
         return driver.LimitFeedToLink(frame, address, driver.DefaultStrategy, sourceOf: null).Program;
     }
 
+    /// <summary>The load of a link by each sequence of a program, as <see cref="IMachineDriver.LinkLoad"/>; null if the link has no limit.</summary>
+    /// <param name="address">Null: a network.</param>
+    public static Func<VectorSequence, double?>? LinkLoad(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy)
+    {
+        var driver = DriverOf(program);
+        return address is null ? null : sequence => driver.LinkLoad(sequence, address, strategy);
+    }
+
     /// <summary>Planned duration of the program over this link.</summary>
     /// <param name="program">Adapted to the link (<see cref="FitToLink"/>).</param>
     /// <param name="address">Null: as over a network.</param>

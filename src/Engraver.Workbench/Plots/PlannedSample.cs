@@ -7,7 +7,8 @@ namespace Engraver.Workbench.Plots;
 /// <param name="Speed">mm/min.</param>
 /// <param name="AccelerationX">mm/s2.</param>
 /// <param name="AccelerationY">mm/s2.</param>
-internal readonly record struct PlannedSample(double Seconds, double Path, int Entity, double Speed, double AccelerationX, double AccelerationY)
+/// <param name="LinkLoad">Percent; NaN where the link has no limit.</param>
+internal readonly record struct PlannedSample(double Seconds, double Path, int Entity, double Speed, double AccelerationX, double AccelerationY, double LinkLoad)
 {
     public double LargestAcceleration => Math.Max(Math.Abs(AccelerationX), Math.Abs(AccelerationY));
 }

@@ -13,18 +13,21 @@ public static class PlannedSeries
 
     private const double SecondsPerMinute = 60.0;
 
+    private const double Percent = 100.0;
+
     /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a tenth of its amplitude.</summary>
     private const double ArcStepDegrees = 5.0;
 
     /// <summary>Number of parts of a ramp of a rapid, where the speeds of two axes are combined.</summary>
-    private const int PartsOfRamp = 4;
+    private const int PartsOfRamp = 8;
 
+    /// <param name="linkLoad">Load of the link by a sequence, 0 to 1; null for a link without a limit.</param>
     /// <param name="maxSamples">At least 8.</param>
-    public static MotionSeries From(PlannedMotion motion, int maxSamples, CancellationToken cancellation)
+    public static MotionSeries From(PlannedMotion motion, Func<VectorSequence, double?>? linkLoad, int maxSamples, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(motion);
         ArgumentOutOfRangeException.ThrowIfLessThan(maxSamples, 8);
-        var walk = new Walk(motion.Timeline, new SeriesBuilder(maxSamples));
+        var walk = new Walk(motion.Timeline, linkLoad, new SeriesBuilder(maxSamples));
         foreach (var span in motion.Timeline.Spans)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -34,11 +37,13 @@ public static class PlannedSeries
         return walk.ToSeries();
     }
 
-    private sealed class Walk(MotionTimeline timeline, SeriesBuilder samples)
+    private sealed class Walk(MotionTimeline timeline, Func<VectorSequence, double?>? linkLoad, SeriesBuilder samples)
     {
         private readonly MotionProgram _program = timeline.Program;
         private readonly CountsScale _scale = timeline.Program.Profile.Scale;
+        private readonly double _restLoad = linkLoad is null ? double.NaN : 0.0;
         private double _path;
+        private double _load;
 
         public MotionSeries ToSeries() => samples.ToSeries();
 
@@ -65,8 +70,8 @@ public static class PlannedSeries
         private void AddAtRest(in MotionSpan span)
         {
             var entity = EntityOf(span);
-            samples.Add(new PlannedSample(span.Start, _path, entity, 0.0, 0.0, 0.0));
-            samples.Add(new PlannedSample(span.End, _path, entity, 0.0, 0.0, 0.0));
+            samples.Add(new PlannedSample(span.Start, _path, entity, 0.0, 0.0, 0.0, _restLoad));
+            samples.Add(new PlannedSample(span.End, _path, entity, 0.0, 0.0, 0.0, _restLoad));
         }
 
         /// <summary>Each axis runs its own trapezoid; the samples are at the corners of both and between them.</summary>
@@ -89,7 +94,7 @@ public static class PlannedSeries
                     _path += (travelled - last).Length;
                     last = travelled;
                     var speed = _scale.ToMillimetres(new Vector2D(axes[0].SpeedAt(at), axes[1].SpeedAt(at))).Length;
-                    samples.Add(new PlannedSample(span.Start + at, _path, entity, speed * SecondsPerMinute, acceleration.X, acceleration.Y));
+                    samples.Add(new PlannedSample(span.Start + at, _path, entity, speed * SecondsPerMinute, acceleration.X, acceleration.Y, _restLoad));
                 }
             }
         }
@@ -102,6 +107,7 @@ public static class PlannedSeries
         private void AddCut(in MotionSpan span)
         {
             var sequence = SequenceOf(span);
+            _load = linkLoad?.Invoke(sequence) is { } load ? load * Percent : double.NaN;
             var acceleration = _program.Profile.AccelerationCounts;
             var (profile, kinematics) = (new SpeedTrapezoid(sequence.Length, sequence.Speed, acceleration), new SequenceKinematics(sequence, acceleration, _scale));
             var ramp = profile.DistanceAt(profile.RampSeconds);
@@ -146,7 +152,7 @@ public static class PlannedSeries
             var seconds = Math.Min(span.Start + profile.TimeAt(path), span.End);
             var speed = kinematics.VelocityAt(piece.Segment, piece.From, fraction, path).Length;
             var acceleration = kinematics.AccelerationAt(piece.Segment, piece.From, fraction, path, inside);
-            samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityIndex, speed * SecondsPerMinute, acceleration.X, acceleration.Y));
+            samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityIndex, speed * SecondsPerMinute, acceleration.X, acceleration.Y, _load));
         }
     }
 

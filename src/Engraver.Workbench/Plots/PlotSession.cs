@@ -45,7 +45,7 @@ public sealed class PlotSession(DerivationSession derivation, MachineSession mac
     }
 
     /// <summary>True if the plan has changed since the last call of <see cref="Content"/>, and its samples must be computed.</summary>
-    public bool IsPlanNew => !_plan.IsOf(derivation.Current.Motion);
+    public bool IsPlanNew => derivation.Current is var current && !_plan.IsOf(current.Motion, current.Line);
 
     /// <summary>Content of the plots. Series are computed when their motion has changed.</summary>
     public PlotContent Content(DesktopSettings settings, CancellationToken cancellation)
@@ -54,11 +54,13 @@ public sealed class PlotSession(DerivationSession derivation, MachineSession mac
         (string Journal, RecordedRun Run)? compared;
         lock (_guard) compared = _compared;
         var series = new List<PlotSeries>();
-        if (_plan.Of(current.Motion, motion => PlannedSeries.From(motion, PlannedSeries.MaxSamples, cancellation)) is { Count: > 0 } plan) series.Add(new PlotSeries(PlotRole.Plan, "", plan));
-        if (_run.Of(recorded, run => TraceSeries.From(run.Trace)) is { Count: > 0 } run) series.Add(new PlotSeries(PlotRole.Run, "", run));
-        if (_comparedSeries.Of(compared?.Run, run => TraceSeries.From(run.Trace)) is { Count: > 0 } other) series.Add(new PlotSeries(PlotRole.Compared, Path.GetFileNameWithoutExtension(compared!.Value.Journal), other));
+        if (_plan.Of(current.Motion, current.Line, Sampled) is { Count: > 0 } plan) series.Add(new PlotSeries(PlotRole.Plan, "", plan));
+        if (_run.Of(recorded, null, run => TraceSeries.From(run.Trace)) is { Count: > 0 } run) series.Add(new PlotSeries(PlotRole.Run, "", run));
+        if (_comparedSeries.Of(compared?.Run, null, run => TraceSeries.From(run.Trace)) is { Count: > 0 } other) series.Add(new PlotSeries(PlotRole.Compared, Path.GetFileNameWithoutExtension(compared!.Value.Journal), other));
         var limits = (current.Job ?? recorded?.Job) is { } job ? PlotLimit.Of(job) : [];
         return PlotContent.Create(settings.PlotAxis(), settings.ChosenPlots(), series, limits);
+
+        MotionSeries Sampled(PlannedMotion motion) => PlannedSeries.From(motion, JobPlan.LinkLoad(motion.Timeline.Program, current.Line, current.Strategy), PlannedSeries.MaxSamples, cancellation);
     }
 
     /// <summary>The series of the last motion.</summary>
@@ -67,19 +69,21 @@ public sealed class PlotSession(DerivationSession derivation, MachineSession mac
     {
         private readonly Lock _guard = new();
         private T? _motion;
+        private object? _context;
         private MotionSeries? _series;
 
-        public bool IsOf(T? motion)
+        /// <param name="context">What else the series depends on.</param>
+        public bool IsOf(T? motion, object? context)
         {
-            lock (_guard) return ReferenceEquals(motion, _motion);
+            lock (_guard) return ReferenceEquals(motion, _motion) && Equals(context, _context);
         }
 
-        public MotionSeries? Of(T? motion, Func<T, MotionSeries> compute)
+        public MotionSeries? Of(T? motion, object? context, Func<T, MotionSeries> compute)
         {
             lock (_guard)
             {
-                if (ReferenceEquals(motion, _motion)) return _series;
-                (_series, _motion) = (motion is null ? null : compute(motion), motion);
+                if (ReferenceEquals(motion, _motion) && Equals(context, _context)) return _series;
+                (_series, _motion, _context) = (motion is null ? null : compute(motion), motion, context);
                 return _series;
             }
         }

@@ -31,8 +31,10 @@ internal sealed class SeriesBuilder(int maxSamples)
         if (_group.Count > 0) Flush();
         var count = _samples.Count;
         var (seconds, path, entities, speed, x, y) = (new double[count], new double[count], new int[count], new double[count], new double[count], new double[count]);
-        for (var i = 0; i < count; i++) (seconds[i], path[i], entities[i], speed[i], x[i], y[i]) = _samples[i];
-        return new MotionSeries(MotionSource.Planned, seconds, path, entities, (PlotQuantity.Speed, speed), (PlotQuantity.AccelerationX, x), (PlotQuantity.AccelerationY, y));
+        for (var i = 0; i < count; i++) (seconds[i], path[i], entities[i], speed[i], x[i], y[i], _) = _samples[i];
+        List<(PlotQuantity, double[])> values = [(PlotQuantity.Speed, speed), (PlotQuantity.AccelerationX, x), (PlotQuantity.AccelerationY, y)];
+        if (_samples.Exists(sample => !double.IsNaN(sample.LinkLoad))) values.Add((PlotQuantity.LinkLoad, [.. _samples.Select(sample => sample.LinkLoad)]));
+        return new MotionSeries(MotionSource.Planned, seconds, path, entities, values);
     }
 
     private void Flush()

@@ -7,11 +7,11 @@ namespace Engraver.Workbench.Plots;
 /// over a short time.</summary>
 public static class TraceSeries
 {
-    /// <summary>Time over which the speed is averaged, seconds.</summary>
-    private const double SpeedWindow = 0.01;
+    /// <summary>Time over which the speed is averaged, seconds: just below 10 ms, so that one poll of that length is enough.</summary>
+    private const double SpeedWindow = 0.0099;
 
     /// <summary>Time over which the change of the velocity is averaged, seconds.</summary>
-    private const double AccelerationWindow = 0.03;
+    private const double AccelerationWindow = 0.0299;
 
     private const double SecondsPerMinute = 60.0;
 

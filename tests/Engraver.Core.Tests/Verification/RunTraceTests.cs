@@ -51,21 +51,26 @@ public class RunTraceTests
     }
 
     [Fact]
-    public void The_following_error_and_the_drawing_are_kept_and_a_trace_of_the_first_version_is_still_read()
+    public void The_following_error_the_drawing_and_the_conditions_are_kept_and_traces_of_earlier_versions_are_still_read()
     {
         var builder = new RunTraceBuilder(s_line);
+        builder.Conditions = new TraceConditions(1.25, 0.5);
         builder.Add(new TraceSample(0.1, 5, 0, Cutting: true) { FollowingMm = 0.125 });
+        builder.Conditions = new TraceConditions(0.1, null);
         builder.Add(new TraceSample(0.2, 6, 0, Cutting: true));
         var trace = builder.ToTrace("polled");
         using var written = new StringWriter { NewLine = "\n" };
         trace.Write(written);
 
-        Assert.StartsWith($"# polled; version 2; drawing {DrawnFingerprint.Of(s_line)}\nseconds,x,y,tool,deviation,following\n0.1,5,0,1,0,0.125\n0.2,6,0,1,0,\n", written.ToString(), StringComparison.Ordinal);
+        Assert.StartsWith($"# polled; version 3; drawing {DrawnFingerprint.Of(s_line)}\nseconds,x,y,tool,deviation,following,feed,link\n0.1,5,0,1,0,0.125,1.25,0.5\n0.2,6,0,1,0,,0.1,\n", written.ToString(), StringComparison.Ordinal);
         var read = RunTrace.Read(new StringReader(written.ToString()));
         Assert.Equal([0.125, null], read.Places.Select(place => place.FollowingMm));
+        Assert.Equal([new TraceConditions(1.25, 0.5), new TraceConditions(0.1, null)], read.Places.Select(place => place.Conditions));
         Assert.True(read.HasFollowing && read.CanBeOf(DrawnFingerprint.Of(s_line)));
         Assert.False(read.CanBeOf(DrawnFingerprint.Of([Segment.FromLine(new(0, 0), new(1000, 0.001))])));
 
+        var second = RunTrace.Read(new StringReader("# polled; version 2; drawing ab\nseconds,x,y,tool,deviation,following\n0.5,1,2,1,0.25,0.125\n"));
+        Assert.Equal(new RunTracePlace(0.5, new Point2D(1, 2), true, 0.25, 0.125), Assert.Single(second.Places));
         var first = RunTrace.Read(new StringReader("# record\nseconds,x,y,tool,deviation\n0.5,1,2,1,0.25\n"));
         Assert.Equal(("record", new RunTracePlace(0.5, new Point2D(1, 2), true, 0.25)), (first.Source, Assert.Single(first.Places)));
         Assert.False(first.HasFollowing);
@@ -73,7 +78,8 @@ public class RunTraceTests
     }
 
     [Theory]
-    [InlineData("# record; version 3; drawing ab\nseconds,x,y,tool,deviation,following\n", "version is 3")]
+    [InlineData("# record; version 4; drawing ab\nseconds,x,y,tool,deviation,following,feed,link\n", "version is 4")]
+    [InlineData("# record; version 3; drawing ab\nseconds,x,y,tool,deviation,following\n", "line 2")]
     [InlineData("# record; version 2; drawing ab\nseconds,x,y,tool,deviation\n", "line 2")]
     [InlineData("# record; version two\nseconds,x,y,tool,deviation,following\n", "line 1")]
     [InlineData("# record; version 2; drawing ab\nseconds,x,y,tool,deviation,following\n0,0,0,1,0\n", "line 3")]

@@ -46,6 +46,8 @@ internal sealed class TinyDriver : IMachineDriver
 
     public LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => new(program, []);
 
+    public double? LinkLoad(VectorSequence sequence, ControllerAddress? address, ExecutionStrategy strategy) => null;
+
     public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => MotionTime.Calculate(program, NetworkTimes);
 
     public async Task<IMachineConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation)

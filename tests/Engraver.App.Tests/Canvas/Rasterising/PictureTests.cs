@@ -87,8 +87,19 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 2;
         here.Step();
         Take(here, "playback");
+    });
+
+    [Fact]
+    public Task A_run_is_plotted_over_its_plan() => WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        Open(here, "paper-001.dxf");
+        here.Enter("CNCSIM");
         here.Show("Plots");
-        TakeMoving(here, "speed-plot");
+        here.Click(here.Find<Button>("PlotEnlargeButton"));
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 3;
+        here.Step();
+        TakeMoving(here, "plots");
     });
 
     [Fact]
