@@ -15,7 +15,7 @@ public static class ChannelQueries
         var reply = await channel.SendAsync("MG " + operands, cancellation).ConfigureAwait(false);
         if (reply is not Accepted { Data: var data }) return new QueryResult([], reply as Rejected);
         if (!ControllerNumber.TryParseAll(data, out var values) || values.Length != operands.AsSpan().Count(',') + 1)
-            throw new ProtocolViolationException(Wording.Get("ChannelQuestions.UnexpectedReplyToMG", data, operands));
+            throw new ProtocolViolationException(Wording.Get("ChannelQueries.UnexpectedReplyToMG", data, operands));
         return new QueryResult(values, null);
     }
 
