@@ -24,3 +24,10 @@ public static class ChannelQueries
     /// <exception cref="ProtocolViolationException">The reply is not a number.</exception>
     internal static ValueTask<QueryResult> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
 }
+
+/// <summary>The numbers in the reply to a query, or its refusal.</summary>
+public readonly record struct QueryResult(IReadOnlyList<double> Values, Rejected? Refusal)
+{
+    /// <summary>The number in the reply to a query with one operand; null when the controller refuses it, because it does not have that feature.</summary>
+    public double? ValuesOrEmpty => Refusal is null ? Values[0] : null;
+}
