@@ -95,12 +95,12 @@ public class DrawingScaleTests
         const string Solids = "16";
         await using var talk = await InchDrawingAsync();
         await talk.TypeAsync("CNCCUT", Solids);
-        Assert.DoesNotContain(SettingTable.Cut.Key, RecordOf(talk).Keys);
+        Assert.Equal("0", RecordOf(talk)[SettingTable.Cut.Key]);
 
         await talk.TypeAsync("OPEN", "inch.dxf", "CNCCUT", "0");
         Assert.Equal(Solids, RecordOf(talk)[SettingTable.Cut.Key]);
         await talk.TypeAsync("OPEN", "inch.dxf");
-        Assert.DoesNotContain(SettingTable.Cut.Key, RecordOf(talk).Keys);
+        Assert.Equal("0", RecordOf(talk)[SettingTable.Cut.Key]);
     }
 
     /// <summary>What is recorded of a job of the drawing that is open.</summary>

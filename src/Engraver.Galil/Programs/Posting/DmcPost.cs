@@ -103,7 +103,7 @@ public static class DmcPost
     }
 
     /// <summary>A slope has a separate speed; after it f is restored.</summary>
-    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => Text(
+    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => DmcFormat.Text(
         $"x={(long)segment.End.X - sequence.Start.X};y={(long)segment.End.Y - sequence.Start.Y};z={(long)segment.End.Z - sequence.Start.Z};f={sequence.Speed};JS{Slope}");
 
     private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line

@@ -57,31 +57,6 @@ public class HeightHoldTests
         HeightBench.AssertGentle(bench, program);
     }
 
-    /// <summary>Another host starts a sequence just before the job's program starts: the held job gives it up before its own first motion.</summary>
-    [Theory]
-    [InlineData(JobMode.Stream)]
-    [InlineData(JobMode.Calls)]
-    [InlineData(JobMode.Program)]
-    public async Task A_hold_that_gives_up_a_motion_in_the_preparation_ends_the_job_as_stopped(JobMode mode)
-    {
-        await using var bench = new SimulatedBench();
-        var (control, isStarted) = (new JobControl(), false);
-        control.Hold();
-        await using var session = await bench.OpenAsync(opened: link => link.Corrupt = line =>
-        {
-            if (!isStarted && line.StartsWith("XQ", StringComparison.Ordinal)) bench.Interfere("VMAB;VP 200000,0;VE;BGS");
-            isStarted |= line.StartsWith("XQ", StringComparison.Ordinal);
-            return line;
-        });
-
-        var program = HeightBench.Part(style: mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
-        var result = await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = control }, null, CancellationToken.None);
-
-        Assert.Equal((JobOutcome.Stopped, "Stopped by the operator.", 0), (result.Outcome, result.Message, result.SegmentsExecuted));
-        Assert.True(bench.Controller.Status.IsIdle);
-        Assert.InRange(bench.Last.A, 1, 199_999); // the sequence was running and was ended
-    }
-
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
