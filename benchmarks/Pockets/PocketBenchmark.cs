@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Pockets;
@@ -30,7 +31,9 @@ internal static class PocketBenchmark
 
     private static PocketOptions OptionsOf(double radius, double stepover, PocketStrategy strategy) => new()
     {
-        ToolRadius = radius, Stepover = stepover, Strategy = strategy, MaxErrorMm = DrawingSettings.Default.MaxErrorMm, JoinToleranceMm = DrawingSettings.Default.JoinToleranceMm,
+        ToolRadius = radius, Stepover = stepover, Strategy = strategy,
+        Angle = Angle.FromDegrees(PocketDefaults.AngleDegrees), FromCentre = PocketDefaults.FromCentre, Allowance = PocketDefaults.Allowance,
+        MaxErrorMm = DrawingSettings.Default.MaxErrorMm, JoinToleranceMm = DrawingSettings.Default.JoinToleranceMm,
     };
 
     private static string Measure(IReadOnlyList<OffsetContour> contours, PocketOptions options)

@@ -41,5 +41,5 @@ internal static class StoppableVerb
     }
 
     /// <summary>Runs on a new thread, because a verb may compute for a long time and the thread pool may be busy.</summary>
-    private static Task<T> RunOnNewThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
+    private static Task<T> RunOnNewThread<T>(Func<Task<T>> verb) => Task.Factory.StartNew(verb, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
 }

@@ -10,7 +10,7 @@ public abstract class IndexedList<T> : IReadOnlyList<T>
 
     public T this[int index] => (uint)index < (uint)Count ? ItemAt(index) : throw new ArgumentOutOfRangeException(nameof(index));
 
-    public IEnumerator<T> GetEnumerator()
+    public virtual IEnumerator<T> GetEnumerator()
     {
         for (int i = 0, count = Count; i < count; i++) yield return ItemAt(i);
     }

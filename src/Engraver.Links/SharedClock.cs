@@ -60,7 +60,7 @@ public sealed class SharedClock : TimeProvider, IDisposable
         {
             clock.Dispose();
             throw new ControllerLinkException(
-                Wording.Get("OfferedClock.NoClock", port, SocketReason.Of(failure)), failure);
+                Wording.Get("SharedClock.NoClock", port, SocketReason.Of(failure)), failure);
         }
     }
 
@@ -221,11 +221,11 @@ public sealed class SharedClock : TimeProvider, IDisposable
         {
             var more = _socket.Receive(_answer.AsSpan(count));
             count += more;
-            if (more == 0 || count == _answer.Length) throw new IOException(Wording.Get("OfferedClock.Closed"));
+            if (more == 0 || count == _answer.Length) throw new IOException(Wording.Get("SharedClock.Closed"));
             if (_answer[count - 1] != '\n') continue;
             return long.TryParse(_answer.AsSpan(0, count - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)
                 ? microseconds * TimeSpan.TicksPerMicrosecond
-                : throw new IOException(Wording.Get("OfferedClock.NotClock"));
+                : throw new IOException(Wording.Get("SharedClock.NotClock"));
         }
     }
 

@@ -31,7 +31,8 @@ public static class UsualOptions
 
     public static PocketOptions Pocket(double toolRadius, double stepover) => new()
     {
-        ToolRadius = toolRadius, Stepover = stepover, Strategy = PocketStrategy.Contour, MaxErrorMm = MaxErrorMm, JoinToleranceMm = JoinToleranceMm,
+        ToolRadius = toolRadius, Stepover = stepover, Strategy = PocketStrategy.Contour, Angle = default, FromCentre = false, Allowance = 0.0,
+        MaxErrorMm = MaxErrorMm, JoinToleranceMm = JoinToleranceMm,
     };
 
     public static PostRequest Post(Toolpath path, MotionProgram? program, Func<int, SourceRef>? sourceOf, IReadOnlyDictionary<string, string> options) =>

@@ -70,7 +70,7 @@ public sealed class CommissioningModel : ObservableObject
         var answers = IsAsked ? _desk.Prompt.Options : [];
         if (!answers.SequenceEqual(Answers)) Answers = answers;
         OnPropertyChanged(null);
-        foreach (var act in new[] { Start, Abort, Answer, KeepDefault }) act.RaiseCanExecuteChanged();
+        foreach (var command in new[] { Start, Abort, Answer, KeepDefault }) command.RaiseCanExecuteChanged();
     }
 }
 

@@ -100,10 +100,10 @@ public sealed class DerivedModel(CommandSession session)
     }
 
     /// <summary>Planned remaining time of a job, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
-    public double SecondsLeft(EngravedProgress told) => (1.0 - FractionDone(told)) * PlannedSeconds;
+    public double SecondsLeft(EngravedProgress progress) => (1.0 - FractionDone(progress)) * PlannedSeconds;
 
     /// <summary>Elapsed fraction of the planned time of a job, 0 to 1. For a job other than the planned one: fraction of its segments.</summary>
-    public double FractionDone(EngravedProgress told) => IsPlannedHere(told) && Current.Motion is { DurationSeconds: > 0.0 } motion ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
+    public double FractionDone(EngravedProgress progress) => IsPlannedHere(progress) && Current.Motion is { DurationSeconds: > 0.0 } motion ? SecondsDone(motion, progress) / motion.DurationSeconds : progress.Fraction;
 
     /// <summary>Factor by which the planned time grows under overrides; less than 1 if it shrinks.</summary>
     public double TimeFactor(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
@@ -135,28 +135,28 @@ public sealed class DerivedModel(CommandSession session)
         var status = session.Machine.Status;
         var runs = status.State.IsJob();
         if (!runs && !FollowsMachine) return false;
-        if (Current.Motion is not { } motion || status.Progress is not { } told || !IsPlannedHere(told)) return runs;
+        if (Current.Motion is not { } motion || status.Progress is not { } progress || !IsPlannedHere(progress)) return runs;
         if (!_wasFollowing)
         {
             session.Playback.Pause();
             (_wasFollowing, _lastProgress) = (true, null);
         }
 
-        var now = SecondsDone(motion, told);
+        var now = SecondsDone(motion, progress);
         if (_lastProgress is null || Math.Abs(now - _reachedSeconds) >= MinStep) session.Playback.Follow(_reachedSeconds = now);
-        _lastProgress = told;
+        _lastProgress = progress;
         return runs;
     }
 
     /// <summary>The running job is the planned one, not one of trajectories or one fitted to a slow line.</summary>
-    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.Runs.ShownJob?.Trajectories is null;
+    private bool IsPlannedHere(EngravedProgress progress) => Current.Motion?.SegmentCount == progress.SegmentCount && session.Machine.Runs.ShownJob?.Trajectories is null;
 
     /// <summary>The time of the plan that the machine has reached: inside a segment by the distance along it, between strokes at the next segment. Within
     /// one segment it does not go back (after a hold with moves away, or a stop).</summary>
-    private double SecondsDone(PlannedMotion motion, EngravedProgress told)
+    private double SecondsDone(PlannedMotion motion, EngravedProgress progress)
     {
-        if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;
-        var now = told.IsOnPath ? motion.TimeOfPlace(told.SegmentsDone, told.Position) : motion.TimeOfSegment(told.SegmentsDone);
-        return _lastProgress?.SegmentsDone == told.SegmentsDone ? Math.Max(now, _reachedSeconds) : now;
+        if (progress.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;
+        var now = progress.IsOnPath ? motion.TimeOfPlace(progress.SegmentsDone, progress.Position) : motion.TimeOfSegment(progress.SegmentsDone);
+        return _lastProgress?.SegmentsDone == progress.SegmentsDone ? Math.Max(now, _reachedSeconds) : now;
     }
 }

@@ -232,7 +232,7 @@ public sealed class HandMovesModel : ObservableObject, IDisposable
         if (!inputs.SequenceEqual(Inputs)) Inputs = inputs;
         if (!outputs.SequenceEqual(Outputs)) Outputs = outputs;
         OnPropertyChanged(null);
-        foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.RaiseCanExecuteChanged();
+        foreach (var command in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) command.RaiseCanExecuteChanged();
     }
 
     private static string Place(WorkOrigin? origin, MachineProfile profile) =>

@@ -51,7 +51,7 @@ public sealed class HistoryModel : ObservableObject
         set
         {
             if (!SetProperty(ref _chosen, value)) return;
-            foreach (var act in (RelayCommand[])[Open, Rerun, Report]) act.RaiseCanExecuteChanged();
+            foreach (var command in (RelayCommand[])[Open, Rerun, Report]) command.RaiseCanExecuteChanged();
         }
     }
 

@@ -14,17 +14,17 @@ internal sealed class ReportedSpeed
     /// <summary>mm/s; null while no job runs, and before its second position.</summary>
     public double? Current { get; private set; }
 
-    /// <param name="told">Last progress of the running job; null when none runs.</param>
-    public void Update(EngravedProgress? told)
+    /// <param name="progress">Last progress of the running job; null when none runs.</param>
+    public void Update(EngravedProgress? progress)
     {
-        if (told is null || _last is null || told.Seconds < _last.Seconds)
+        if (progress is null || _last is null || progress.Seconds < _last.Seconds)
         {
-            (_last, Current) = (told, null);
+            (_last, Current) = (progress, null);
             return;
         }
 
-        var since = told.Seconds - _last.Seconds;
+        var since = progress.Seconds - _last.Seconds;
         if (since < MinSeconds) return;
-        (Current, _last) = (told.Position.DistanceTo(_last.Position) / since, told);
+        (Current, _last) = (progress.Position.DistanceTo(_last.Position) / since, progress);
     }
 }

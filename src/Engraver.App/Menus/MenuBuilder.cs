@@ -10,9 +10,9 @@ namespace Engraver.App.Menus;
 
 /// <summary>Creates the menus of the layout. The items of a menu are created when it is first opened.</summary>
 /// <param name="typed">Returns the text that is typed for a command; it is shown at the right of the entry.</param>
-/// <param name="act">Returns the command of an entry.</param>
+/// <param name="commandOf">Returns the command of an entry.</param>
 /// <param name="recent">The submenu of RECENT; null: the entry runs the command.</param>
-public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act, RecentMenu? recent = null)
+public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> commandOf, RecentMenu? recent = null)
 {
     /// <summary>Minimum height of a menu, units of 1/96 inch.</summary>
     internal const double MinHeight = 120;
@@ -56,7 +56,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Find(name) : Text.Get(name), VerticalAlignment = VerticalAlignment.Center });
         if (isCommand) row.Children.Add(Hint(typed(name)));
         if (name == "RECENT" && recent is not null) return recent.Entry(row);
-        return new MenuItem { Header = row, Command = act(name), Tag = name };
+        return new MenuItem { Header = row, Command = commandOf(name), Tag = name };
     }
 
     private static TextBlock Hint(string text)

@@ -34,8 +34,8 @@ public sealed class ShellModel : ObservableObject
 {
     private readonly PageTab _alarms;
 
-    /// <param name="act">Returns the command of a menu entry or a tool; the window supplies it, because some commands need a file dialog.</param>
-    public ShellModel(DesktopModel desk, Func<string, ICommand> act)
+    /// <param name="commandOf">Returns the command of a menu entry or a tool; the window supplies it, because some commands need a file dialog.</param>
+    public ShellModel(DesktopModel desk, Func<string, ICommand> commandOf)
     {
         Desk = desk;
         Machine = new MachineStripModel(desk);
@@ -46,8 +46,8 @@ public sealed class ShellModel : ObservableObject
         Options = new OptionsModel(desk);
         Files = new FileQuestions(desk, Command.TakeLine);
         Recent = new RecentDrawings(desk);
-        StartPage = new StartPageModel(desk, Files, Recent, act("OPEN"));
-        Tools = ToolColumn.For(desk, act);
+        StartPage = new StartPageModel(desk, Files, Recent, commandOf("OPEN"));
+        Tools = ToolColumn.For(desk, commandOf);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
         desk.Notifications.Changed += Refresh;
     }

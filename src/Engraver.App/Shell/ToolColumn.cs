@@ -27,15 +27,15 @@ public static class ToolColumn
         ("CNCCONNECT", [], "ConnectIcon", false),
     ];
 
-    public static IReadOnlyList<ToolButton> For(DesktopModel desk, Func<string, System.Windows.Input.ICommand> act) =>
-        [.. s_tools.Where(tool => desk.Session.Catalog.Find(tool.Command) is not null).Select(tool => Make(tool.Command, tool.Answers, tool.Icon, tool.EndsGroup, desk, act))];
+    public static IReadOnlyList<ToolButton> For(DesktopModel desk, Func<string, System.Windows.Input.ICommand> commandOf) =>
+        [.. s_tools.Where(tool => desk.Session.Catalog.Find(tool.Command) is not null).Select(tool => Make(tool.Command, tool.Answers, tool.Icon, tool.EndsGroup, desk, commandOf))];
 
-    private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, DesktopModel desk, Func<string, System.Windows.Input.ICommand> act)
+    private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, DesktopModel desk, Func<string, System.Windows.Input.ICommand> commandOf)
     {
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
         var typed = MenuTitle.ShortestInput(desk.Session, command);
         var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), typed == command ? command : $"{command}, {typed}");
-        var does = answers.Length == 0 ? act(command) : new RelayCommand(() => _ = desk.Queue.RunAsync([command, .. answers]));
+        var does = answers.Length == 0 ? commandOf(command) : new RelayCommand(() => _ = desk.Queue.RunAsync([command, .. answers]));
         return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
     }
 }

@@ -55,7 +55,7 @@ public sealed class TerminalModel : ObservableObject
     private void Refresh()
     {
         Volatile.Write(ref _waiting, 0);
-        Rows = [.. Terminal.Lines.SelectMany(TerminalRow.From)];
+        Rows = [.. Terminal.Lines.SelectMany(entry => TerminalRow.From(entry, _desk.Time.LocalTimeZone))];
         OnPropertyChanged(nameof(Rows));
     }
 }
@@ -63,9 +63,9 @@ public sealed class TerminalModel : ObservableObject
 /// <summary>A line of the conversation with the controller.</summary>
 public sealed record TerminalRow(string Time, string Text, bool IsTyped, bool IsRefusal, bool IsQuiet)
 {
-    public static IEnumerable<TerminalRow> From(TerminalEntry entry)
+    public static IEnumerable<TerminalRow> From(TerminalEntry entry, TimeZoneInfo zone)
     {
-        var time = entry.Time.ToLocalTime().ToString("HH:mm:ss.fff", CultureInfo.InvariantCulture);
+        var time = TimeZoneInfo.ConvertTime(entry.Time, zone).ToString("HH:mm:ss.fff", CultureInfo.InvariantCulture);
         foreach (var line in entry.Text.Split('\n'))
         {
             yield return new TerminalRow(time, entry.Kind is null ? "> " + line : line, entry.Kind is null, entry.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld, entry.Kind is TerminalAnswerKind.Help or TerminalAnswerKind.Message);

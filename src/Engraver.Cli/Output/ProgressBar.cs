@@ -11,16 +11,16 @@ internal static class ProgressBar
     public static Task<T> OfRunAsync<T>(bool quiet, MotionProgram program, Func<IProgress<JobProgress>?, Task<T>> run)
     {
         var strokes = program.Strokes.Count;
-        return ShowAsync(quiet, Wording.Get("RunProgressBar.Connecting"), Math.Max(1, program.SegmentCount), run, progress =>
-            (progress.SegmentsExecuted, Wording.Get(progress.ToolOn ? "RunProgressBar.ToolOn" : "RunProgressBar.ToolOff", progress.Stroke + 1, strokes, progress.Seconds)));
+        return ShowAsync(quiet, Wording.Get("ProgressBar.Connecting"), Math.Max(1, program.SegmentCount), run, progress =>
+            (progress.SegmentsExecuted, Wording.Get(progress.ToolOn ? "ProgressBar.ToolOn" : "ProgressBar.ToolOff", progress.Stroke + 1, strokes, progress.Seconds)));
     }
 
     public static Task<T> OfSendingAsync<T>(bool quiet, int lines, Func<IProgress<SendProgress>?, Task<T>> send) =>
-        ShowAsync(quiet, Wording.Get("SendProgressBar.Sending"), lines, send, progress => (progress.Lines, Wording.Get("SendProgressBar.Lines", progress.Lines, progress.TotalLines)));
+        ShowAsync(quiet, Wording.Get("ProgressBar.Sending"), lines, send, progress => (progress.Lines, Wording.Get("ProgressBar.Lines", progress.Lines, progress.TotalLines)));
 
     public static Task<T> OfVerificationAsync<T>(bool quiet, Func<IProgress<ReplayProgress>?, Task<T>> verify) =>
-        ShowAsync(quiet, Wording.Get("VerifyProgressBar.Reading"), 1.0, verify, progress =>
-            (progress.Fraction, Wording.Get("VerifyProgressBar.ProgramMachineTime", progress.Chunk, progress.Chunks, progress.MachineTime.TotalSeconds)));
+        ShowAsync(quiet, Wording.Get("ProgressBar.Reading"), 1.0, verify, progress =>
+            (progress.Fraction, Wording.Get("ProgressBar.ProgramMachineTime", progress.Chunk, progress.Chunks, progress.MachineTime.TotalSeconds)));
 
     /// <param name="quiet">True for no bar.</param>
     /// <param name="start">The text before the first report.</param>

@@ -3,33 +3,54 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver run --json</c> prints; names, units and meanings are the runner's contract.</summary>
-/// <param name="Holds">Number of feed holds by the operator.</param>
-/// <param name="Checks">The start checks; null when the machine was not queried.</param>
-/// <param name="FinalZ">Counts of the Z axis; null on a machine without one.</param>
-/// <param name="NotCut">Visible entities on the cut layers that produce no cut, by DXF type; null when the job was not prepared.</param>
-internal sealed record RunJson(
-    string Outcome,
-    int SegmentsSent,
-    int SegmentsExecuted,
-    double Seconds,
-    double? PlannedSeconds,
-    int Underruns,
-    int Rejected,
-    long? FinalX,
-    long? FinalY,
-    RunJson.ScaleJson CountsPerMillimetre,
-    double? MaxDeviation,
-    double? MissingLength,
-    string DeviationSource,
-    string? Journal,
-    RunJson.LeftOutJson? LeftOut,
-    IReadOnlyDictionary<string, int>? NotCut,
-    RunJson.OriginJson? Origin,
-    long? FinalZ,
-    int Holds,
-    RunJson.ResumedJson? ResumedFrom,
-    IReadOnlyList<StartCheckJson>? Checks)
+internal sealed record RunJson
 {
+    public required string Outcome { get; init; }
+
+    public required int SegmentsSent { get; init; }
+
+    public required int SegmentsExecuted { get; init; }
+
+    public required double Seconds { get; init; }
+
+    public required double? PlannedSeconds { get; init; }
+
+    public required int Underruns { get; init; }
+
+    public required int Rejected { get; init; }
+
+    public required long? FinalX { get; init; }
+
+    public required long? FinalY { get; init; }
+
+    public required ScaleJson CountsPerMillimetre { get; init; }
+
+    public required double? MaxDeviation { get; init; }
+
+    public required double? MissingLength { get; init; }
+
+    public required string DeviationSource { get; init; }
+
+    public required string? Journal { get; init; }
+
+    public required LeftOutJson? LeftOut { get; init; }
+
+    /// <summary>Visible entities on the cut layers that produce no cut, by DXF type; null when the job was not prepared.</summary>
+    public required IReadOnlyDictionary<string, int>? NotCut { get; init; }
+
+    public required OriginJson? Origin { get; init; }
+
+    /// <summary>Counts of the Z axis; null on a machine without one.</summary>
+    public required long? FinalZ { get; init; }
+
+    /// <summary>Number of feed holds by the operator.</summary>
+    public required int Holds { get; init; }
+
+    public required ResumedJson? ResumedFrom { get; init; }
+
+    /// <summary>The start checks; null when the machine was not queried.</summary>
+    public required IReadOnlyList<StartCheckJson>? Checks { get; init; }
+
     /// <summary>Those of X, Y and Z that steppers move: their polled positions are the commanded ones.</summary>
     public IReadOnlyList<string> OpenLoop { get; init; } = [];
 

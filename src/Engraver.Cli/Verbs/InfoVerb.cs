@@ -3,7 +3,6 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Stages;

@@ -42,22 +42,25 @@ internal static class PocketVerb
 /// <summary>The options of <c>engraver pocket</c> in addition to those of every drawing verb.</summary>
 internal sealed class PocketOptionSet
 {
+    private const string Wall = "wall";
+    private const string Centre = "centre";
+
     private readonly Option<double> _tool = new("--tool") { Required = true, HelpName = "R", Description = Wording.Get("Pocket.Tool"), CustomParser = OptionValue.PositiveNumber };
     private readonly Option<double?> _stepover = new("--stepover") { HelpName = "F", Description = Wording.Get("Pocket.Stepover"), CustomParser = result => OptionValue.NumberBelowOne(result) };
     private readonly Option<double?> _overlap = new("--overlap") { HelpName = "F", Description = Wording.Get("Pocket.Overlap"), CustomParser = result => OptionValue.NumberBelowOne(result) };
-    private readonly Option<string> _strategy = new("--strategy") { Description = Wording.Get("Pocket.Strategy"), DefaultValueFactory = _ => "contour" };
-    private readonly Option<double> _angle = new("--angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.Angle"), CustomParser = OptionValue.AnyNumber };
-    private readonly Option<string> _from = new("--from") { Description = Wording.Get("Pocket.From"), DefaultValueFactory = _ => "wall" };
-    private readonly Option<double> _allowance = new("--allowance") { HelpName = "MM", Description = Wording.Get("Pocket.Allowance"), CustomParser = OptionValue.NumberFromZero };
-    private readonly Option<double> _depth = new("--depth") { HelpName = "MM", Description = Wording.Get("Pocket.Depth"), CustomParser = OptionValue.PositiveNumber };
-    private readonly Option<double> _step = new("--step") { HelpName = "MM", Description = Wording.Get("Pocket.Step"), CustomParser = OptionValue.PositiveNumber };
-    private readonly Option<string> _entry = new("--entry") { Description = Wording.Get("Pocket.Entry"), DefaultValueFactory = _ => "plunge" };
-    private readonly Option<double> _rampAngle = new("--ramp-angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.RampAngle"), CustomParser = OptionValue.RampAngle, DefaultValueFactory = _ => PocketDepths.Flat.RampAngle.Degrees };
+    private readonly Option<string> _strategy = new("--strategy") { Description = Wording.Get("Pocket.Strategy"), DefaultValueFactory = _ => Word(PocketDefaults.Strategy) };
+    private readonly Option<double?> _angle = new("--angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.Angle"), CustomParser = result => OptionValue.AnyNumber(result) };
+    private readonly Option<string> _from = new("--from") { Description = Wording.Get("Pocket.From"), DefaultValueFactory = _ => PocketDefaults.FromCentre ? Centre : Wall };
+    private readonly Option<double?> _allowance = new("--allowance") { HelpName = "MM", Description = Wording.Get("Pocket.Allowance"), CustomParser = result => OptionValue.NumberFromZero(result) };
+    private readonly Option<double?> _depth = new("--depth") { HelpName = "MM", Description = Wording.Get("Pocket.Depth"), CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Option<double?> _step = new("--step") { HelpName = "MM", Description = Wording.Get("Pocket.Step"), CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Option<string> _entry = new("--entry") { Description = Wording.Get("Pocket.Entry"), DefaultValueFactory = _ => Word(PocketDefaults.Entry) };
+    private readonly Option<double> _rampAngle = new("--ramp-angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.RampAngle"), CustomParser = OptionValue.RampAngle, DefaultValueFactory = _ => PocketDefaults.RampAngleDegrees };
 
     public void AddTo(Command command)
     {
         _strategy.AcceptOnlyFromAmong("contour", "zigzag");
-        _from.AcceptOnlyFromAmong("wall", "centre");
+        _from.AcceptOnlyFromAmong(Wall, Centre);
         _entry.AcceptOnlyFromAmong("plunge", "ramp", "helix");
         foreach (var option in (Option[])[_tool, _stepover, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
         command.Validators.Add(result =>
@@ -73,9 +76,11 @@ internal sealed class PocketOptionSet
         ToolRadius = parsed.GetRequiredValue(_tool),
         Stepover = Stepover(parsed),
         Strategy = Enum.Parse<PocketStrategy>(parsed.GetValue(_strategy)!, ignoreCase: true),
-        Angle = Angle.FromDegrees(parsed.GetValue(_angle)),
-        FromCentre = parsed.GetValue(_from) == "centre",
-        Allowance = parsed.GetValue(_allowance) <= parsed.GetRequiredValue(_tool) ? parsed.GetValue(_allowance) : throw new UsageException(Wording.Get("Pocket.AllowanceAboveTool")),
+        Angle = Angle.FromDegrees(parsed.GetValue(_angle) ?? PocketDefaults.AngleDegrees),
+        FromCentre = parsed.GetValue(_from) == Centre,
+        Allowance = (parsed.GetValue(_allowance) ?? PocketDefaults.Allowance) is var allowance && allowance <= parsed.GetRequiredValue(_tool)
+            ? allowance
+            : throw new UsageException(Wording.Get("Pocket.AllowanceAboveTool")),
         MaxErrorMm = settings.MaxErrorMm,
         JoinToleranceMm = settings.JoinToleranceMm,
     };
@@ -95,11 +100,14 @@ internal sealed class PocketOptionSet
 
     public PocketDepths Depths(ParseResult parsed) => new()
     {
-        Depth = parsed.GetValue(_depth),
-        Step = parsed.GetValue(_step),
+        Depth = parsed.GetValue(_depth) ?? PocketDefaults.Depth,
+        Step = parsed.GetValue(_step) ?? PocketDefaults.Step,
         Entry = Enum.Parse<PocketEntry>(parsed.GetValue(_entry)!, ignoreCase: true),
         RampAngle = Angle.FromDegrees(parsed.GetValue(_rampAngle)),
     };
+
+    private static string Word<T>(T choice)
+        where T : struct, Enum => Enum.GetName(choice)!.ToLowerInvariant();
 
     private void RequireDepth(CommandResult result, Option option)
     {

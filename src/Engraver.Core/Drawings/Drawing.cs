@@ -35,6 +35,9 @@ public sealed record Drawing(
     /// <summary>Entities other than curves and texts that are visible when their layer is, blocks expanded.</summary>
     public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
 
+    /// <summary>Construction that was read as curves, at the operator's request.</summary>
+    public CutChoice Cut { get; init; }
+
     /// <summary>Created here and not yet in a file: <see cref="FileName"/> is only its name.</summary>
     public bool IsNew { get; init; }
 

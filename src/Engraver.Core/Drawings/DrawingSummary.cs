@@ -87,3 +87,14 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
         private double Length(CurveType type) => _lengths[(int)type];
     }
 }
+
+/// <summary>Numbers of curves: the lines and arcs of polylines are counted, and the polylines themselves.</summary>
+/// <param name="Point">POINT entities, which are not curves.</param>
+public sealed record PrimitiveCounts(int Line, int Arc, int Circle, int Ellipse, int Spline, int Polyline, int Point);
+
+/// <summary>Lengths by kind, along the curves in space, drawing units. The straight parts of polylines count as lines, their bulge parts as arcs.</summary>
+/// <param name="PlanTotal">Length of all curves, in plan.</param>
+public sealed record CurveLengths(double Line, double Arc, double Circle, double Ellipse, double Spline, double PlanTotal)
+{
+    public double Total => Line + Arc + Circle + Ellipse + Spline;
+}

@@ -98,6 +98,7 @@ internal sealed class DrawingImport
             Points = _points.Placed,
             PointsRead = _points.Placed.Count,
             Construction = _construction.ToCounts(),
+            Cut = _options.Cut,
         };
     }
 

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 

@@ -15,7 +15,7 @@ public static class SystemErrorText
     public static string FromException(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
-        if (failure is JsonException { LineNumber: { } line } unreadable) return unreadable.Path is { Length: > 2 } path ? Wording.Get("SystemReason.JsonValue", line + 1, path[2..]) : Wording.Get("SystemReason.Json", line + 1);
+        if (failure is JsonException { LineNumber: { } line } unreadable) return unreadable.Path is { Length: > 2 } path ? Wording.Get("SystemErrorText.JsonValue", line + 1, path[2..]) : Wording.Get("SystemErrorText.Json", line + 1);
         return Key(failure) is { } key ? Wording.Get(key) : TextCatalogue.Fact(failure.Message.TrimEnd('.'));
     }
 
@@ -23,22 +23,22 @@ public static class SystemErrorText
     public static string WithPath(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
-        return Key(failure) is not null && failure.Message.Split('\'') is [_, { Length: > 0 } path, _] ? Wording.Get("SystemReason.OfPath", path, FromException(failure)) : FromException(failure);
+        return Key(failure) is not null && failure.Message.Split('\'') is [_, { Length: > 0 } path, _] ? Wording.Get("SystemErrorText.OfPath", path, FromException(failure)) : FromException(failure);
     }
 
     /// <summary>Name of the text; null for a failure that has none.</summary>
     private static string? Key(Exception failure) => failure switch
     {
-        FileNotFoundException => "SystemReason.NoFile",
-        DirectoryNotFoundException => "SystemReason.NoFolder",
-        PathTooLongException => "SystemReason.PathTooLong",
-        UnauthorizedAccessException => "SystemReason.AccessDenied",
+        FileNotFoundException => "SystemErrorText.NoFile",
+        DirectoryNotFoundException => "SystemErrorText.NoFolder",
+        PathTooLongException => "SystemErrorText.PathTooLong",
+        UnauthorizedAccessException => "SystemErrorText.AccessDenied",
         IOException { HResult: not Unspecified } => FromCode(failure.HResult),
         _ => null,
     };
 
     /// <summary>Codes of Windows (the low 16 bits of the HResult) and of Unix (errno).</summary>
     private static string? FromCode(int code) => (code & 0xFFFF0000) == 0x80070000
-        ? (code & 0xFFFF) switch { 39 or 112 => "SystemReason.DiskFull", 32 or 33 => "SystemReason.InUse", 19 => "SystemReason.ReadOnly", 80 or 183 => "SystemReason.Exists", _ => null }
-        : code switch { 28 or 122 => "SystemReason.DiskFull", 11 or 16 or 26 => "SystemReason.InUse", 30 => "SystemReason.ReadOnly", 17 => "SystemReason.Exists", 5 => "SystemReason.DeviceFailed", 32 => "SystemReason.ReaderEnded", _ => null };
+        ? (code & 0xFFFF) switch { 39 or 112 => "SystemErrorText.DiskFull", 32 or 33 => "SystemErrorText.InUse", 19 => "SystemErrorText.ReadOnly", 80 or 183 => "SystemErrorText.Exists", _ => null }
+        : code switch { 28 or 122 => "SystemErrorText.DiskFull", 11 or 16 or 26 => "SystemErrorText.InUse", 30 => "SystemErrorText.ReadOnly", 17 => "SystemErrorText.Exists", 5 => "SystemErrorText.DeviceFailed", 32 => "SystemErrorText.ReaderEnded", _ => null };
 }

@@ -1,11 +1,10 @@
-using System.Collections;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
 /// <summary>The spans of a motion program as a column, 13 bytes each: duration, and the part of the sequence. The start and end point of a span are read from
 /// the program on access.</summary>
-internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : IReadOnlyList<MotionSpan>
+internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : IndexedList<MotionSpan>
 {
     /// <summary>Interval, in spans, at which start times are stored; those between are added up again, by the same sums.</summary>
     private const int Stride = 16;
@@ -32,12 +31,10 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         Finish,
     }
 
-    public int Count => _seconds.Count;
+    public override int Count => _seconds.Count;
 
     /// <summary>The end of the last span.</summary>
     public double End { get; private set; }
-
-    public MotionSpan this[int index] => Span(index, StartOf(index));
 
     /// <param name="sequence">Index among the sequences of all strokes.</param>
     public void Add(SpanPart part, double seconds, int sequence)
@@ -66,7 +63,8 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         return index;
     }
 
-    public IEnumerator<MotionSpan> GetEnumerator()
+    /// <summary>The same items; the start times are added up once.</summary>
+    public override IEnumerator<MotionSpan> GetEnumerator()
     {
         var start = 0.0;
         for (var i = 0; i < Count; i++)
@@ -76,7 +74,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         }
     }
 
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override MotionSpan ItemAt(int index) => Span(index, StartOf(index));
 
     private double StartOf(int index)
     {

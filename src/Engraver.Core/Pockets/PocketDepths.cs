@@ -5,19 +5,16 @@ namespace Engraver.Core.Pockets;
 /// <summary>Depths of a pocket. Lengths in millimetres.</summary>
 public sealed record PocketDepths
 {
-    /// <summary>All at height 0, with no entry: the machine profile sets the cutting depth.</summary>
-    public static PocketDepths Flat { get; } = new();
-
-    /// <summary>Depth below the top of the work (height 0), 0 or more.</summary>
-    public double Depth { get; init; }
+    /// <summary>Depth below the top of the work (height 0), 0 or more; 0 when the machine profile sets the cutting depth.</summary>
+    public required double Depth { get; init; }
 
     /// <summary>Maximum depth of one level; the levels divide the depth evenly. 0 for one level.</summary>
-    public double Step { get; init; }
+    public required double Step { get; init; }
 
-    public PocketEntry Entry { get; init; } = PocketEntry.Plunge;
+    public required PocketEntry Entry { get; init; }
 
     /// <summary>Angle of descent of a ramp or helix, above 0 and below 90 degrees.</summary>
-    public Angle RampAngle { get; init; } = Angle.FromDegrees(3.0);
+    public required Angle RampAngle { get; init; }
 
     /// <summary>Heights of the levels, from the top down; only 0 for a flat pocket.</summary>
     public IReadOnlyList<double> Heights

@@ -14,13 +14,13 @@ public sealed record PocketOptions
     public required PocketStrategy Strategy { get; init; }
 
     /// <summary>Direction of the rows of <see cref="PocketStrategy.Zigzag"/>, counter-clockwise from the X axis.</summary>
-    public Angle Angle { get; init; }
+    public required Angle Angle { get; init; }
 
     /// <summary>True when contour-parallel passes start in the middle and end at the wall; otherwise they start at the wall.</summary>
-    public bool FromCentre { get; init; }
+    public required bool FromCentre { get; init; }
 
     /// <summary>Allowance that the passes leave at the walls, for a last pass along them; 0 to the radius, 0 for no such pass.</summary>
-    public double Allowance { get; init; }
+    public required double Allowance { get; init; }
 
     /// <summary>Largest distance of the arcs that approximate an ellipse or spline.</summary>
     public required double MaxErrorMm { get; init; }

@@ -113,7 +113,6 @@ internal sealed class Job
         _stop.BrakeBy(_stopper.Start);
         try
         {
-            using var whole = _machine.Enter(_strategy.Whole);
             if (!await IsCompletedAsync(PrepareAsync).ConfigureAwait(false)) throw Stopped.ToException(); // a hold before the job's first motion
             await CutAsync().ConfigureAwait(false);
         }
@@ -137,13 +136,16 @@ internal sealed class Job
     {
         // The job would leave the controller's 32 bits.
         if (!_machine.Frame.ToController.IsInRange(MotionExtents.Of(_program))) throw JobEnd.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.Origin.X, _machine.Frame.Origin.Y)).ToException();
+        // It may be given up again, also on the way back to the path.
         var isCut = await IsCompletedAsync(CutFromStartAsync).ConfigureAwait(false);
-        while (!isCut) isCut = await IsCompletedAsync(CutRestAsync).ConfigureAwait(false); // it may be given up again, also on the way back to the path
+        while (!isCut) isCut = await IsCompletedAsync(RemainHeldAsync).ConfigureAwait(false) && await IsCompletedAsync(CutToTheEndAsync).ConfigureAwait(false);
     }
 
+    /// <summary>Runs a step in the phase of the strategy that is in force at its start.</summary>
     /// <returns>False where a hold has given up the motion.</returns>
-    private static async ValueTask<bool> IsCompletedAsync(Func<ValueTask> step)
+    private async ValueTask<bool> IsCompletedAsync(Func<ValueTask> step)
     {
+        using var whole = _machine.Enter(_strategy.Whole);
         try
         {
             await step().ConfigureAwait(false);
@@ -168,9 +170,9 @@ internal sealed class Job
         await CutToTheEndAsync().ConfigureAwait(false);
     }
 
-    /// <summary>The job is held and its motion was given up: remains held, and then cuts what is left as a resumed job does, from the place where it was
-    /// held.</summary>
-    private async ValueTask CutRestAsync()
+    /// <summary>The job is held and its motion was given up: remains held. What is left is then cut as a resumed job does, from the place where it was held,
+    /// with a strategy of its own.</summary>
+    private async ValueTask RemainHeldAsync()
     {
         await _strategy.StoppedAsync(_machine.CounterGivenUp).ConfigureAwait(false);
         if (HasIdleHeight) _heightOfCut ??= _machine.State.Position.Z; // after another hold on the way back it is still that of the cut
@@ -179,7 +181,6 @@ internal sealed class Job
         _ledger.Continue(rest);
         _program = rest.Program;
         _strategy = StrategyOf(_options.Mode());
-        await CutToTheEndAsync().ConfigureAwait(false);
     }
 
     private async ValueTask CutToTheEndAsync()

@@ -7,7 +7,7 @@ using Engraver.Galil.Language;
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Reports the job's progress to the operator and the journal.</summary>
-internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time, Action<Diagnostic>? told)
+internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time, Action<Diagnostic>? report)
 {
     /// <summary>Controller seconds between two lines of the journal inside one sequence.</summary>
     private const double JournalSeconds = 0.25;
@@ -58,8 +58,8 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
             var reason = SystemErrorText.FromException(failure);
             journal.GiveUp(reason);
             var finding = PreparationRules.JournalGivenUp.At(default, reason);
-            if (told is null) ledger.Warnings.Add(finding);
-            else told(finding);
+            if (report is null) ledger.Warnings.Add(finding);
+            else report(finding);
         }
     }
 

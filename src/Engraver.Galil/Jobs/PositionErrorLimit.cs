@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 
@@ -14,7 +15,7 @@ internal static class PositionErrorLimit
     /// <summary>ER of each axis of the job that may have an encoder and whose limit can be restored afterwards. At the fastest speed of the job, whatever
     /// the override.</summary>
     public static IReadOnlyList<string> Commands(MachineProfile profile, FoundState found) =>
-        [.. profile.Axes.All.Where(axis => !axis.IsStepper && found.Motion.Any(setting => setting.Operand == $"_ER{axis.Letter}")).Select(axis => Subprograms.Text($"ER{axis.Letter}={Counts(profile, axis)}"))];
+        [.. profile.Axes.All.Where(axis => !axis.IsStepper && found.Motion.Any(setting => setting.Operand == $"_ER{axis.Letter}")).Select(axis => DmcFormat.Text($"ER{axis.Letter}={Counts(profile, axis)}"))];
 
     private static int Counts(MachineProfile profile, MachineAxis axis) =>
         (int)Math.Clamp(Math.Round(axis.Scale.CountsOf(profile.FollowingErrorAt(profile.FastestMmPerSecond))), 1.0, Largest);

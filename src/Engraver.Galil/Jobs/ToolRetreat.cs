@@ -14,7 +14,7 @@ namespace Engraver.Galil.Jobs;
 internal sealed class ToolRetreat(ControllerSession session, MachineProfile profile)
 {
     /// <summary>Polls in which the axis is reported as moving and does not change its height; after these it counts as at rest.</summary>
-    private const int MostStandingPolls = 100;
+    private const int MaxStationaryPolls = 100;
 
     /// <param name="rest">Where the machine is at rest.</param>
     /// <param name="clearance">The clearance height in the controller's own counts; null where it is not known.</param>
@@ -43,11 +43,11 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
         }
 
         var height = from;
-        for (var standing = 0; standing < MostStandingPolls; standing++)
+        for (var stationary = 0; stationary < MaxStationaryPolls; stationary++)
         {
             var look = await session.StopHandle.ReadAsync($"_BG{z.Letter},_RP{z.Letter}", CancellationToken.None).ConfigureAwait(false);
             if (look.Refusal is not null) return (height, false);
-            if ((int)look.Values[1] != height) standing = 0;
+            if ((int)look.Values[1] != height) stationary = 0;
             height = (int)look.Values[1];
             if (look.Values[0] == 0.0) break;
             if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, CancellationToken.None).ConfigureAwait(false);

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
@@ -42,15 +41,15 @@ internal static class Subprograms
     {
         var acceleration = profile.AccelerationCounts;
         return new ProgramLines()
-            .Line("CAS", Text($"VA {acceleration}"), Text($"VD {acceleration}"))
+            .Line("CAS", DmcFormat.Text($"VA {acceleration}"), DmcFormat.Text($"VD {acceleration}"))
             .Line([.. AccelerationCommands(profile)])
-            .Line([.. profile.Axes.All.Select(axis => Text($"SP{axis.Letter}={profile.RapidSpeed(axis)}"))])
+            .Line([.. profile.Axes.All.Select(axis => DmcFormat.Text($"SP{axis.Letter}={profile.RapidSpeed(axis)}"))])
             .Lines;
     }
 
     /// <summary>AC and DC of every axis of the job.</summary>
     public static IReadOnlyList<string> AccelerationCommands(MachineProfile profile) =>
-        [.. profile.Axes.All.Select(axis => Text($"AC{axis.Letter}={profile.AccelerationCounts}")), .. profile.Axes.All.Select(axis => Text($"DC{axis.Letter}={profile.AccelerationCounts}"))];
+        [.. profile.Axes.All.Select(axis => DmcFormat.Text($"AC{axis.Letter}={profile.AccelerationCounts}")), .. profile.Axes.All.Select(axis => DmcFormat.Text($"DC{axis.Letter}={profile.AccelerationCounts}"))];
 
     /// <summary>Switches the output of the tool on; empty if an axis holds the tool.</summary>
     public static string ToolOn(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, !profile.ToolActiveLow) : string.Empty;
@@ -60,11 +59,11 @@ internal static class Subprograms
 
     /// <summary>SB or CB.</summary>
     /// <param name="gap">Between command and number.</param>
-    public static string Switch(int output, bool level, string gap = "") => Text($"{(level ? "SB" : "CB")}{gap}{output}");
+    public static string Switch(int output, bool level, string gap = "") => DmcFormat.Text($"{(level ? "SB" : "CB")}{gap}{output}");
 
     /// <summary>The speed is set first if it is an analog output; the motor of that axis is off, because a servo loop would counteract the offset (galil-dmc.md
     /// C, OF).</summary>
-    public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
+    public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", DmcFormat.Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
 
     public static IReadOnlyList<string> SpindleOff(Spindle spindle) => [Switch(spindle.Output, spindle.IsActiveLow), .. spindle.SpeedAxis is { } axis ? (string[])[$"OF{axis}=0"] : []];
 
@@ -72,7 +71,7 @@ internal static class Subprograms
     public static string SpindleOff(MachineProfile profile) => profile.Spindle is { } spindle ? string.Join(';', SpindleOff(spindle)) : string.Empty;
 
     /// <summary>The wait after a change of the tool; empty when the profile has no settle time.</summary>
-    public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : Text($"WT {profile.SettleMilliseconds(on)}");
+    public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : DmcFormat.Text($"WT {profile.SettleMilliseconds(on)}");
 
     /// <summary>Switches the tool off first, then stops every motion of the plane and of its axes. One line, so that other threads cannot run in between. A
     /// spindle keeps turning while its tool may be in the work.</summary>
@@ -89,7 +88,7 @@ internal static class Subprograms
     public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.UpSign > 0 ? ">=" : "<=")}{height}";
 
     /// <summary>Moves the Z axis and waits.</summary>
-    public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
+    public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? DmcFormat.Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
 
     /// <summary>Moves down to the height z: fast to the retract height zr, then at the plunge feed. The tool must be at clearance height before.</summary>
     /// <param name="check">A line after each of the two moves, or empty.</param>
@@ -113,8 +112,6 @@ internal static class Subprograms
         .Line(last)
         .Line("EN")
         .Lines;
-
-    public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private static IReadOnlyList<string> Interpolation(MachineProfile profile, string label, string segment, string last) =>
         new ProgramLines().Line(label).Line("VM" + profile.Axes.PlaneLetters).Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;

@@ -15,7 +15,7 @@ public static class ChannelQueries
         var reply = await channel.SendAsync("MG " + operands, cancellation).ConfigureAwait(false);
         if (reply is not Accepted { Data: var data }) return new QueryResult([], reply as Rejected);
         if (!ControllerNumber.TryParseAll(data, out var values) || values.Length != operands.AsSpan().Count(',') + 1)
-            throw new ProtocolViolationException(Wording.Get("ChannelQuestions.UnexpectedReplyToMG", data, operands));
+            throw new ProtocolViolationException(Wording.Get("ChannelQueries.UnexpectedReplyToMG", data, operands));
         return new QueryResult(values, null);
     }
 
@@ -23,4 +23,11 @@ public static class ChannelQueries
     /// 256000 as 9999) or print it in hexadecimal.</summary>
     /// <exception cref="ProtocolViolationException">The reply is not a number.</exception>
     internal static ValueTask<QueryResult> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
+}
+
+/// <summary>The numbers in the reply to a query, or its refusal.</summary>
+public readonly record struct QueryResult(IReadOnlyList<double> Values, Rejected? Refusal)
+{
+    /// <summary>The number in the reply to a query with one operand; null when the controller refuses it, because it does not have that feature.</summary>
+    public double? ValuesOrEmpty => Refusal is null ? Values[0] : null;
 }

@@ -17,7 +17,7 @@ internal static class PositionQueries
     /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
     public static async ValueTask<ControllerPosition> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
     {
-        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPosition(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(", ", missing), letters));
+        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPosition(default, Doubt: Wording.Get("PositionQueries.NoSuchAxis", string.Join(", ", missing), letters));
         var position = await channel.ReadAsync(string.Join(',', axes.Letters.Select(letter => $"_RP{letter}")), cancellation).ConfigureAwait(false);
         if (position.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         async ValueTask<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).ValuesOrEmpty;
@@ -32,7 +32,7 @@ internal static class PositionQueries
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.SteppersOff", string.Join(", ", axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, WithoutEncoder = steppers, AssumedSteppers = untold, StoppedWithoutRamp = stoppedHard };
+            steppersOff.Length == 0 ? "" : Wording.Get("PositionQueries.SteppersOff", string.Join(", ", axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, WithoutEncoder = steppers, AssumedSteppers = untold, StoppedWithoutRamp = stoppedHard };
     }
 
     /// <summary>The same over the stop handle, independent of what the operator does meanwhile.</summary>

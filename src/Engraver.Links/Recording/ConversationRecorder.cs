@@ -42,11 +42,11 @@ public sealed class ConversationRecorder
         return _file.CloseAsync(stop);
     }
 
-    private void Add(int link, ConversationEvent act, ReadOnlySpan<byte> bytes, long? ticks)
+    private void Add(int link, ConversationEvent kind, ReadOnlySpan<byte> bytes, long? ticks)
     {
         if (_file.Failure is not null) return;
         var said = bytes.ToArray();
-        lock (_guard) _file.Write(new ConversationStep(ticks ?? (long)((Int128)(_time.GetTimestamp() - _start) * TimeSpan.TicksPerSecond / _time.TimestampFrequency), link, act, said).ToString());
+        lock (_guard) _file.Write(new ConversationStep(ticks ?? (long)((Int128)(_time.GetTimestamp() - _start) * TimeSpan.TicksPerSecond / _time.TimestampFrequency), link, kind, said).ToString());
     }
 
     private sealed class RecordedLink(IControllerLink link, int number, ConversationRecorder recorder) : IControllerLink

@@ -139,8 +139,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     private static long SamplesOver(double length, double step)
     {
-        const double Most = 1e15;
-        return (long)Math.Clamp((length / step) - 3, 0, Most);
+        const double Max = 1e15;
+        return (long)Math.Clamp((length / step) - 3, 0, Max);
     }
 
     /// <summary>Path length to the point at which braking or the exit speed can change the speed; approximate, because the speed itself is tested

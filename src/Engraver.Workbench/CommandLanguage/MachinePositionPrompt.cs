@@ -16,6 +16,6 @@ public sealed record MachinePositionPrompt(string Instruction) : ValuePrompt<Typ
         var z = 0.0;
         return (parts.Length == 2 || (AllowsZ && parts.Length == 3 && NumberPrompt.TryParse(parts[2], out z))) && NumberPrompt.TryParse(parts[0], out var x) && NumberPrompt.TryParse(parts[1], out var y)
             ? new ParsedInput<TypedMachinePosition>.Value(new TypedMachinePosition(x, y, parts.Length == 3 ? z : null))
-            : new ParsedInput<TypedMachinePosition>.Invalid(Wording.Get(AllowsZ ? "MachinePlacePrompt.InvalidPositionWithHeight" : "MachinePlacePrompt.InvalidPosition", typed));
+            : new ParsedInput<TypedMachinePosition>.Invalid(Wording.Get(AllowsZ ? "MachinePositionPrompt.InvalidPositionWithHeight" : "MachinePositionPrompt.InvalidPosition", typed));
     }
 }

@@ -60,7 +60,7 @@ public sealed class ConcurrentCommands
         }
 
         var words = input.Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        if (words.Length == 0) return new InputResult.NotAccepted(Wording.Get("TypedAhead.EnterAlone"));
+        if (words.Length == 0) return new InputResult.NotAccepted(Wording.Get("TypeAheadBuffer.EnterAlone"));
         if (_session.Find(words[0]) is not { } command) return new InputResult.NotAccepted(Wording.Get("CommandSession.UnknownCommand", input));
         if (!command.Info.CanRunConcurrently) return new InputResult.NotAccepted(ReasonFor(command.Info));
         return await RunAsync(command, words, cancellation).ConfigureAwait(false);

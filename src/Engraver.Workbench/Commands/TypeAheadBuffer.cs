@@ -18,9 +18,9 @@ public sealed class TypeAheadBuffer(CommandSession session)
     public string? RefusalOf(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        if (input.Trim().Length == 0) return Wording.Get("TypedAhead.EnterAlone");
-        if (session.IsMachineBusy) return session.Concurrent.WhyNot(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
-        return FindFirstWord(input) is { } command && CanMoveMachine(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
+        if (input.Trim().Length == 0) return Wording.Get("TypeAheadBuffer.EnterAlone");
+        if (session.IsMachineBusy) return session.Concurrent.WhyNot(input) ?? Wording.Get("TypeAheadBuffer.MachineBusy", input.Trim());
+        return FindFirstWord(input) is { } command && CanMoveMachine(command) ? Wording.Get("TypeAheadBuffer.ActsOnTheMachine", command.Name) : null;
     }
 
     /// <summary>Runs a queued input.</summary>
@@ -29,9 +29,9 @@ public sealed class TypeAheadBuffer(CommandSession session)
     /// <param name="before">Result of the previous input.</param>
     public async Task<InputResult> EnterAsync(string input, int typedAt, InputResult before, CancellationToken cancellation)
     {
-        if (typedAt != Flushed || before is not (InputResult.Done or InputResult.AwaitingInput)) return Discarded(Wording.Get("TypedAhead.NotRun", input));
+        if (typedAt != Flushed || before is not (InputResult.Done or InputResult.AwaitingInput)) return Discarded(Wording.Get("TypeAheadBuffer.NotRun", input));
         var asks = session.Prompt.Command is { } name ? session.Catalog.Find(name)?.Info : null;
-        if (asks is { } asking && CanMoveMachine(asking)) return Discarded(Wording.Get("TypedAhead.NotAnAnswer", input, asking.Name));
+        if (asks is { } asking && CanMoveMachine(asking)) return Discarded(Wording.Get("TypeAheadBuffer.NotAnAnswer", input, asking.Name));
         return asks is null && RefusalOf(input) is { } forbidden ? Discarded(forbidden) : await session.EnterAsync(input, cancellation).ConfigureAwait(false);
     }
 

@@ -31,7 +31,7 @@ public sealed class DmcReader : IProgramReader
         listener.Start(-(double)request.Start.X, -(double)request.Start.Y, -(double)request.Start.Z);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new FrozenTimeProvider(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
-        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
+        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("DmcReader.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
         await ReadBackRun.SetMotorsAsync(request.Machine, channel, cancellation).ConfigureAwait(false);
         for (var number = 1; ; number++)
         {
@@ -61,8 +61,8 @@ public sealed class DmcReader : IProgramReader
             var (status, hasRested) = controller.AdvanceToRest(longest, s_maxSettleTime, SliceSteps);
             report();
             if (status.IsIdle) return null;
-            if (hasRested) return Wording.Get("ProgramReplayer.NoMotion", MaxSettleSeconds);
-            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.TooLong", longest.TotalSeconds);
+            if (hasRested) return Wording.Get("DmcReader.NoMotion", MaxSettleSeconds);
+            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("DmcReader.TooLong", longest.TotalSeconds);
         }
     }
 }

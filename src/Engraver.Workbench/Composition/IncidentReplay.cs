@@ -24,9 +24,9 @@ public sealed class IncidentReplay : IAsyncDisposable
     private readonly SimulatedController _controller;
     private readonly Dictionary<int, Stream> _links = [];
 
-    private IncidentReplay(Conversation conversation, InterruptedJob? told)
+    private IncidentReplay(Conversation conversation, InterruptedJob? job)
     {
-        (Conversation, JournalledJob) = (conversation, told);
+        (Conversation, JournalledJob) = (conversation, job);
         var options = new SimulatorOptions { Speed = double.PositiveInfinity, Time = new FrozenTimeProvider(), SerialNumber = MachineConnection.SimulatedSerialNumber };
         _controller = new SimulatedController(conversation.Clock == ConversationClock.RealTime ? options with { CommandCost = TimeSpan.Zero } : options);
     }
@@ -65,11 +65,11 @@ public sealed class IncidentReplay : IAsyncDisposable
         IncidentReplay replay;
         try
         {
-            var told = InterruptedJob.Read(journal);
+            var job = InterruptedJob.Read(journal);
             if (!File.Exists(wire)) return (null, Wording.Get("Replay.NoRecordedCommands", journal, wire));
             using var input = CompressedText.Open(wire);
-            if (told?.Header.Axes is { Length: > 0 } axes && (axes.Length is not (2 or 3) || !axes.All(letter => letter is >= 'A' and <= 'D'))) throw new FormatException(Wording.Get("Replay.InvalidAxes", axes));
-            replay = new IncidentReplay(Conversation.Read(input), told);
+            if (job?.Header.Axes is { Length: > 0 } axes && (axes.Length is not (2 or 3) || !axes.All(letter => letter is >= 'A' and <= 'D'))) throw new FormatException(Wording.Get("Replay.InvalidAxes", axes));
+            replay = new IncidentReplay(Conversation.Read(input), job);
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or FormatException)
         {

@@ -22,7 +22,7 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     {
         try
         {
-            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode.Strategy(), told.Header.DryRun, told.Header.Program) { IsClosed = Closed(told) } : null;
+            return InterruptedJob.Read(journal) is { } job ? new JournalledRun(job.End?.Outcome, job.End?.Sentence ?? "", job.End?.Time, job.Header.Mode.Strategy(), job.Header.DryRun, job.Header.Program) { IsClosed = Closed(job) } : null;
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {

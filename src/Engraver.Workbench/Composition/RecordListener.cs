@@ -102,10 +102,10 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         var z = _z is { } axis ? sample[axis] + (double)errorZ - frame.Z : 0.0;
         var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.UpSign * z < profile.UpSign * (double)profile.RetractCounts;
         var following = double.Hypot(motor.DistanceTo(commanded), profile.Scale.ToMillimetres((double)errorZ));
-        var told = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following };
-        var seen = told with { XMm = motor.X, YMm = motor.Y, ZMm = profile.Scale.ToMillimetres(z - errorZ) };
-        foreach (var judge in judges) judge.Add(told);
-        Motors?.Add(told, seen);
+        var traced = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following };
+        var seen = traced with { XMm = motor.X, YMm = motor.Y, ZMm = profile.Scale.ToMillimetres(z - errorZ) };
+        foreach (var judge in judges) judge.Add(traced);
+        Motors?.Add(traced, seen);
         Places?.Add(seen);
     }
 
@@ -122,10 +122,10 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
 
     private void Forward(MotionSpan span, long from, long to, Segment path)
     {
-        var told = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
-        foreach (var judge in judges) judge.Add(told);
-        Motors?.AddSpan(told.Cutting);
-        Places?.Add(told);
+        var traced = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
+        foreach (var judge in judges) judge.Add(traced);
+        Motors?.AddSpan(traced.Cutting);
+        Places?.Add(traced);
     }
 
     /// <summary>Forwards an arc to the judges. Unequal axis scales make it an ellipse, which is forwarded as chords within a twentieth of a count; no post of

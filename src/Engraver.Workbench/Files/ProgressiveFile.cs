@@ -66,7 +66,7 @@ public sealed class ProgressiveFile : IProgressiveBytes, IDisposable
     }
 
     /// <summary>Stops reading: a waiting thread receives a failure.</summary>
-    public void Dispose() => ReportProgress(0, Wording.Get("ArrivingFile.NotRead"));
+    public void Dispose() => ReportProgress(0, Wording.Get("ProgressiveFile.NotRead"));
 
     private bool IsWanted
     {
@@ -85,7 +85,7 @@ public sealed class ProgressiveFile : IProgressiveBytes, IDisposable
             do
             {
                 ReportProgress(last, null);
-                (last, failure) = (0, Wording.Get("ArrivingFile.NotRead")); // An unexpected failure while reading.
+                (last, failure) = (0, Wording.Get("ProgressiveFile.NotRead")); // An unexpected failure while reading.
                 (last, failure) = ReadChunk(at);
                 at += last;
             }
@@ -113,7 +113,7 @@ public sealed class ProgressiveFile : IProgressiveBytes, IDisposable
         try
         {
             var count = _read(Bytes, at);
-            return (count, count > 0 ? null : Wording.Get("ArrivingFile.BecameShorter"));
+            return (count, count > 0 ? null : Wording.Get("ProgressiveFile.BecameShorter"));
         }
         catch (Exception failed) when (failed is IOException or UnauthorizedAccessException)
         {

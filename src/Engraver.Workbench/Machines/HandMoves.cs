@@ -26,7 +26,7 @@ public sealed class HandMoves
     public IReadOnlyList<string> OriginsLostByHoming => _machine.Lease is { } lease ? MachineHoming.OriginsLost(lease.Memory, lease.IsZeroKnown, _status.Profile) : [];
 
     /// <summary>The notice before a move by hand on a machine that is not homed; null for any other.</summary>
-    public string? UnhomedNotice => _machine.IsHomed == false ? Wording.Get("HandMotion.NotHomed", HandSpeed.Max(_status.Profile, isHomed: false)) : null;
+    public string? UnhomedNotice => _machine.IsHomed == false ? Wording.Get("HandMoves.NotHomed", HandSpeed.Max(_status.Profile, isHomed: false)) : null;
 
     /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job is held. It brakes when the jog is released or
     /// the operator gives no signs of life (<see cref="Presence"/>), by a stop, and 0.25 s after the last sign of this program.</summary>

@@ -106,10 +106,10 @@ public sealed class OperatorControls
         }
     }
 
-    private bool Control(Action<JobControl> act, bool held)
+    private bool Control(Action<JobControl> action, bool held)
     {
         if (Job is not { } control || _interlock.Stop is not { IsCancellationRequested: false }) return false;
-        act(control);
+        action(control);
         _status.FeedHoldRequested(held);
         _status.RaiseChanged();
         return true;

@@ -4,5 +4,5 @@ namespace Engraver.Workbench.Machines;
 internal static class UrgentThread
 {
     /// <summary>Starts the action and returns.</summary>
-    public static void Run(Action act) => new Thread(() => act()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
+    public static void Run(Action action) => new Thread(() => action()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
 }

@@ -111,16 +111,16 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     }
 
     /// <summary>Runs an action on the polling connection without waiting for it; a failure is reported if that connection is still in use.</summary>
-    public void RunUrgently(MachinePoller watch, Func<MachinePoller, Task> act) => UrgentThread.Run(() => _ = RunUrgentAsync(watch, act));
+    public void RunUrgently(MachinePoller watch, Func<MachinePoller, Task> action) => UrgentThread.Run(() => _ = RunUrgentAsync(watch, action));
 
     /// <summary>Decelerates the axes and switches the tool off; does nothing without a polling connection. A failure is reported.</summary>
     public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => Watch is { } watch ? RunUrgentAsync(watch, one => one.StopAsync(outputs)) : Task.CompletedTask;
 
-    private async Task RunUrgentAsync(MachinePoller watch, Func<MachinePoller, Task> act)
+    private async Task RunUrgentAsync(MachinePoller watch, Func<MachinePoller, Task> action)
     {
         try
         {
-            await act(watch).ConfigureAwait(false);
+            await action(watch).ConfigureAwait(false);
         }
         catch (ControllerException failure)
         {

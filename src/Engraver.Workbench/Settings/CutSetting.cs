@@ -1,4 +1,4 @@
-using Engraver.Core.Dxf.Records;
+using Engraver.Core.Drawings;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Settings;

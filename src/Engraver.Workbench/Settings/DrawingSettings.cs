@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
@@ -18,7 +17,8 @@ public sealed record DrawingSettings
     /// keeps its <see cref="Drawing.Scale"/>.</summary>
     public LengthUnit? Unit { get; init; }
 
-    /// <summary>Construction that is cut all the same: hatch boundaries, multilines, leaders, helices, the edges of solids.</summary>
+    /// <summary>Construction of the next drawing that is opened which is cut all the same: hatch boundaries, multilines, leaders, helices, the edges of
+    /// solids. The drawing that is open keeps its <see cref="Drawing.Cut"/>.</summary>
     public CutChoice Cut { get; init; }
 
     /// <summary>Only these layers (even when switched off); null: visible, not frozen, plottable.</summary>
@@ -58,11 +58,11 @@ public sealed record DrawingSettings
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
 
-    /// <summary>The settings for records of a drawing: with the unit that was chosen when it was opened, so that they open it again with the same
-    /// scale.</summary>
+    /// <summary>The settings for records of a drawing: with the unit and the construction that were chosen when it was opened, so that they
+    /// open it again with the same scale and the same curves.</summary>
     public DrawingSettings AsOpened(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null };
+        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null, Cut = drawing.Cut };
     }
 }

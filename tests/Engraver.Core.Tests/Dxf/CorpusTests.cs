@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Tools.CrossChecks;

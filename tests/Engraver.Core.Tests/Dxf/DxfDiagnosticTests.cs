@@ -1,7 +1,7 @@
 using System.Text;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;

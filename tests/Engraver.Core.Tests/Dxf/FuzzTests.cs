@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;

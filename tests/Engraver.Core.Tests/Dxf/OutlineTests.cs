@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;

@@ -1,6 +1,6 @@
 using System.Globalization;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;

@@ -83,13 +83,29 @@ public class DrawingScaleTests
     {
         await using var talk = await InchDrawingAsync();
         await talk.TypeAsync("CNCUNITS", Millimetres);
-        var job = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, Engraver.Core.Machines.MotionStyle.Continuous);
-        Assert.DoesNotContain(SettingTable.Units.Key, SettingValues.Of(job.Recorded).Keys);
+        Assert.DoesNotContain(SettingTable.Units.Key, RecordOf(talk).Keys);
 
         await talk.TypeAsync("OPEN", "inch.dxf", "CNCUNITS", TheDrawings);
-        job = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, Engraver.Core.Machines.MotionStyle.Continuous);
-        Assert.Equal(Millimetres, SettingValues.Of(job.Recorded)[SettingTable.Units.Key]);
+        Assert.Equal(Millimetres, RecordOf(talk)[SettingTable.Units.Key]);
     }
+
+    [Fact]
+    public async Task Certificates_and_records_name_the_construction_with_which_the_drawing_was_opened()
+    {
+        const string Solids = "16";
+        await using var talk = await InchDrawingAsync();
+        await talk.TypeAsync("CNCCUT", Solids);
+        Assert.Equal("0", RecordOf(talk)[SettingTable.Cut.Key]);
+
+        await talk.TypeAsync("OPEN", "inch.dxf", "CNCCUT", "0");
+        Assert.Equal(Solids, RecordOf(talk)[SettingTable.Cut.Key]);
+        await talk.TypeAsync("OPEN", "inch.dxf");
+        Assert.Equal("0", RecordOf(talk)[SettingTable.Cut.Key]);
+    }
+
+    /// <summary>What is recorded of a job of the drawing that is open.</summary>
+    private static IReadOnlyDictionary<string, string> RecordOf(CommandTestSession talk) =>
+        SettingValues.Of(JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, Engraver.Core.Machines.MotionStyle.Continuous).Recorded);
 
     private static double MillimetresPerUnit(CommandTestSession talk) => talk.State.Scale.MillimetresPerUnit;
 

@@ -1,6 +1,5 @@
 using System.Reflection;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;

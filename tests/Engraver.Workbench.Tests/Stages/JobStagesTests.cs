@@ -60,6 +60,18 @@ public class JobStagesTests
         Assert.Equal(JobPreparation.To<PathJob>(chained.Drawing, chained.Settings).Toolpath.Strokes.Count, path.Toolpath.Strokes.Count);
     }
 
+    [Fact]
+    public void A_run_that_is_given_a_later_state_starts_behind_its_stage()
+    {
+        var steps = new Steps();
+        var chained = JobPreparation.To<ChainedJob>(Job().Drawing, Job().Settings);
+        var run = new StageRun(chained, CancellationToken.None, steps);
+
+        Assert.Same(chained, run.To<AnalysedJob>());
+        Assert.Same(chained.Cut, run.To<PlannedJob>().Cut);
+        Assert.Equal(["Path", "Motion", "Program"], steps.Seen.Select(step => step.Key));
+    }
+
     /// <summary>Reading, execution and judgement are outside of the list; their rows of the table are written by hand.</summary>
     [Fact]
     public void The_page_lists_the_stages()

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;

@@ -19,13 +19,13 @@ internal sealed class MachineAction(VerbHost host)
     public MachineCommand Command(string name, string description) => new(name, description) { _connect, _json, _profile };
 
     /// <param name="homes">The action homes the machine; a simulated one then starts away from its switches.</param>
-    public async Task<int> RunAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> act, CancellationToken stop, bool homes = false)
+    public async Task<int> RunAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> action, CancellationToken stop, bool homes = false)
     {
         var address = parsed.GetRequiredValue(_connect)!;
         await using var machine = new MachineSession(TimeProvider.System, MachineMemories.FolderIn(null), simulatedIsHomed: !homes);
         if (parsed.GetValue(_profile) is { } profile) machine.Profile = ProfileOption.Load(parsed, profile);
         await machine.Connection.ConnectAsync(address, stop).ConfigureAwait(false);
-        var code = await act(machine, stop).ConfigureAwait(false);
+        var code = await action(machine, stop).ConfigureAwait(false);
         var status = StatusJson.From(machine.Status, machine.Connection.Lease?.Memory, machine.Profile);
         if (parsed.GetValue(_json)) ContractJson.Write(host.Out, status, ContractJson.Default.StatusJson);
         else foreach (var line in status.Text()) await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);

@@ -1,4 +1,5 @@
 using System.Collections.Frozen;
+using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Records;
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Tags;
 
 namespace Engraver.Core.Dxf.Records;

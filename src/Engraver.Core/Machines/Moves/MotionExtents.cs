@@ -68,3 +68,9 @@ public readonly record struct MotionExtents(long MinX, long MinY, long MaxX, lon
         return extents;
     }
 }
+
+/// <summary>A range of counts of one axis; both ends are reached.</summary>
+public readonly record struct CountsRange(long Min, long Max)
+{
+    public CountsRange With(long counts) => new(Math.Min(Min, counts), Math.Max(Max, counts));
+}

@@ -42,12 +42,12 @@ public sealed class GcodePost : IPost
     /// <summary>Positions beyond the range of a number in the format, and heights that the machine cannot cut; each entity once.</summary>
     private static IEnumerable<Diagnostic> Unwritable(PostRequest request, GcodeGrid grid)
     {
-        var (told, isAnyBelow, drive) = (new HashSet<int>(), false, request.Machine.Height);
+        var (reported, isAnyBelow, drive) = (new HashSet<int>(), false, request.Machine.Height);
         foreach (var move in request.Path.Strokes.SelectMany(stroke => stroke.Moves))
         {
             isAnyBelow |= drive is not null && !(Math.Min(move.StartZ, move.EndZ) >= drive.CutDepth);
             var source = request.SourceOf?.Invoke(move.EntityIndex) ?? default;
-            if ((Beyond(move, grid, source) ?? (drive is null ? null : CutHeights.Finding(move, drive, source))) is { } finding && told.Add(move.EntityIndex)) yield return finding;
+            if ((Beyond(move, grid, source) ?? (drive is null ? null : CutHeights.Finding(move, drive, source))) is { } finding && reported.Add(move.EntityIndex)) yield return finding;
         }
 
         if (drive is not null && !isAnyBelow) yield return MotionRules.NoDepth.At(default);

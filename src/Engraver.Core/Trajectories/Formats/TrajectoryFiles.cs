@@ -29,3 +29,8 @@ public static class TrajectoryFiles
         return new TrajectoryFilesResult(files, failed);
     }
 }
+
+/// <summary>The result for a contour.</summary>
+/// <param name="Files">Files in the order of travel.</param>
+/// <param name="Unproven">Number of runs for which the error could not be proven.</param>
+public sealed record TrajectoryFilesResult(IReadOnlyList<TrajectoryFile> Files, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

@@ -11,13 +11,13 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
     private static readonly TimeSpan s_longest = TimeSpan.FromSeconds(60);
 
     /// <summary>Between two readings for the status, which on a serial line must not delay a press.</summary>
-    private static readonly TimeSpan s_betweenLooks = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan s_pollInterval = TimeSpan.FromMilliseconds(100);
 
-    private static readonly TimeSpan s_betweenSlowLooks = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan s_slowPollInterval = TimeSpan.FromSeconds(1);
 
     private const int RestsBetweenPolls = 5;
 
-    private long _looked;
+    private long _lastPoll;
 
     public Phase Whole => Phase.Idle;
 
@@ -25,7 +25,7 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
 
     public async ValueTask CutAsync()
     {
-        var idleSince = _looked = machine.Time.GetTimestamp();
+        var idleSince = _lastPoll = machine.Time.GetTimestamp();
         while (true)
         {
             if (standby.Pressed is { } control)
@@ -54,10 +54,10 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
     {
         machine.Watch.HasProgress(); // it is at rest on purpose
         await machine.PollAsync().ConfigureAwait(false);
-        if (standby.Pressed is null && machine.Time.GetElapsedTime(_looked) >= (machine.Line is null ? s_betweenLooks : s_betweenSlowLooks))
+        if (standby.Pressed is null && machine.Time.GetElapsedTime(_lastPoll) >= (machine.Line is null ? s_pollInterval : s_slowPollInterval))
         {
             standby.Seen?.Invoke(await machine.ReadStatusAsync().ConfigureAwait(false));
-            _looked = machine.Time.GetTimestamp();
+            _lastPoll = machine.Time.GetTimestamp();
         }
 
         for (var i = 0; i < RestsBetweenPolls && standby is { Pressed: null, IsLeaving: false }; i++) await machine.RestAsync(double.PositiveInfinity).ConfigureAwait(false);

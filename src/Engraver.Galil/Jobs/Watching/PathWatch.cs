@@ -8,7 +8,7 @@ namespace Engraver.Galil.Jobs.Watching;
 /// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may be
 /// between the two readings (galil-dmc.md C: 1 ms at TM 1000). So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the
 /// path's direction, at a joint by half of speed x sample. A larger distance is a fault at the first poll. A distance within these limits is a fault in
-/// <see cref="MostInARow"/> polls in a row, because a sample is between the two readings only now and then.
+/// <see cref="MaxConsecutive"/> polls in a row, because a sample is between the two readings only now and then.
 /// </remarks>
 /// <param name="start">Where the first segment begins, job frame.</param>
 /// <param name="segments">In the order of cutting.</param>
@@ -22,7 +22,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     public const double Allowance = 2.0;
 
     /// <summary>Number of polls in a row with a distance that two readings at different times could explain, which together are a fault.</summary>
-    private const int MostInARow = 8;
+    private const int MaxConsecutive = 8;
 
     /// <summary>The counter may be older than the position by this, seconds.</summary>
     private const double LongestReply = 0.01;
@@ -36,7 +36,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     {
         var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), place);
         if (off <= Allowance) _inARow = 0;
-        else if (off > Allowance + explained || ++_inARow >= MostInARow) return Left(off, place, segments[Math.Clamp(executed, 0, segments.Count - 1)].EntityIndex);
+        else if (off > Allowance + explained || ++_inARow >= MaxConsecutive) return Left(off, place, segments[Math.Clamp(executed, 0, segments.Count - 1)].EntityIndex);
         return null;
     }
 

@@ -16,12 +16,12 @@ internal static class HeightFindings
     /// removes no material.</summary>
     public static IEnumerable<Diagnostic> Findings(Toolpath toolpath, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {
-        var (told, isAnyCut, isAnyBelow) = (new HashSet<int>(), false, false);
+        var (reported, isAnyCut, isAnyBelow) = (new HashSet<int>(), false, false);
         foreach (var move in toolpath.Strokes.SelectMany(stroke => stroke.Moves))
         {
             if (Finding(move, drive, scale, source) is { } finding)
             {
-                if (told.Add(move.EntityIndex)) yield return finding;
+                if (reported.Add(move.EntityIndex)) yield return finding;
             }
 
             (isAnyCut, isAnyBelow) = (true, isAnyBelow || !(Math.Min(move.StartZ, move.EndZ) >= drive.CutDepth));

@@ -42,9 +42,9 @@ public static class DmcPost
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
     {
         var axes = program.Profile.Axes;
-        var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, height => Text($"oz{height:+0;-0}"));
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, height => DmcFormat.Text($"oz{height:+0;-0}"));
         var spelling = new SequenceSyntax(
-            string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
+            string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
         return new PostTemplate(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
     }
@@ -53,12 +53,12 @@ public static class DmcPost
     {
         if (TooSmall(form, options) is { } refused) return new PostOutput([], [refused]);
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
-        IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, Text($"{packed.Chunks.Count}"), Text($"{options.MemoryLines}"))] : [];
+        IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, DmcFormat.Text($"{packed.Chunks.Count}"), DmcFormat.Text($"{options.MemoryLines}"))] : [];
         return new PostOutput([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
     }
 
     private static Diagnostic? TooSmall(PostTemplate form, DmcPostOptions options) => ChunkPacker.MinLines(form) is var needed && options.MemoryLines < needed
-        ? MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))
+        ? MotionRules.MemoryTooSmall.At(default, DmcFormat.Text($"{needed}"), DmcFormat.Text($"{options.MemoryLines}"))
         : null;
 
     /// <summary>Positions relative to the position of the machine at the start of the job.</summary>
@@ -72,8 +72,8 @@ public static class DmcPost
         foreach (var line in types) lines.Line(line);
         lines.Line(types.Count > 0 ? string.Empty : ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
-        if (program.Profile.Height is not null) lines.Line(variables).Line(Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
-        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
+        if (program.Profile.Height is not null) lines.Line(variables).Line(DmcFormat.Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
+        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
         return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
 
@@ -81,19 +81,19 @@ public static class DmcPost
     /// zero.</summary>
     private static string TakeOrigin(MotionProgram program, DmcPostOptions options) => string.Join(';', "xyz".Zip(program.Profile.Axes.All, (name, axis) => (name, options.Origin) switch
     {
-        ('x', { } origin) => Text($"ox={origin.X + program.Start.X}"),
-        ('y', { } origin) => Text($"oy={origin.Y + program.Start.Y}"),
-        ('z', { Z: { } height }) => Text($"oz={height}"),
+        ('x', { } origin) => DmcFormat.Text($"ox={origin.X + program.Start.X}"),
+        ('y', { } origin) => DmcFormat.Text($"oy={origin.Y + program.Start.Y}"),
+        ('z', { Z: { } height }) => DmcFormat.Text($"oz={height}"),
         _ => $"o{name}=_RP{axis.Letter}",
     }));
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, DmcPostOptions options) => Opening(program, done, Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, DmcPostOptions options) => Opening(program, done, DmcFormat.Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
 
     private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame)
     {
         var (x, y, z) = frame.Of(stroke.Start);
         var isHeld = program.Profile.Height is not null;
-        var lines = new ProgramLines().Line(Text($"x={x}"), Text($"y={y}"), $"JS{Rapid}").Line(isHeld ? [Text($"z=oz{z:+0;-0}"), "JS" + Down] : ["JS#TOOLON"]);
+        var lines = new ProgramLines().Line(DmcFormat.Text($"x={x}"), DmcFormat.Text($"y={y}"), $"JS{Rapid}").Line(isHeld ? [DmcFormat.Text($"z=oz{z:+0;-0}"), "JS" + Down] : ["JS#TOOLON"]);
         foreach (var sequence in stroke.Sequences)
         {
             foreach (var segment in sequence.Segments) lines.Line(sequence.ChangesHeight ? SlopeCall(segment, sequence) : Call(segment, sequence.Start));
@@ -103,12 +103,12 @@ public static class DmcPost
     }
 
     /// <summary>A slope has a separate speed; after it f is restored.</summary>
-    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => Text(
+    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => DmcFormat.Text(
         $"x={(long)segment.End.X - sequence.Start.X};y={(long)segment.End.Y - sequence.Start.Y};z={(long)segment.End.Z - sequence.Start.Z};f={sequence.Speed};JS{Slope}");
 
     private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
-        ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
-        : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circular}");
+        ? DmcFormat.Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
+        : DmcFormat.Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circular}");
 
     private static IReadOnlyList<string> CallsClosing(MotionProgram program, DmcPostOptions options)
     {
@@ -119,7 +119,7 @@ public static class DmcPost
             .. LinearLines(profile, CountCall),
             .. CircularLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
-            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
+            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, DmcFormat.Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
             .. MotorTypeTest.Ends(profile),
             .. CommandErrorEndsTheJob(program, options),
             .. options.Unattended ? UnattendedProgram.Lines(profile) : [],

@@ -16,7 +16,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     /// <summary>Waits until the buffer has room. The test never uses equality, because the value for an empty buffer differs between manuals (galil-dmc.md
     /// 0.3).</summary>
     /// <param name="check">Statement before each test, or empty.</param>
-    public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
+    public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(DmcFormat.Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
 
     /// <summary>Rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not burn a spot
     /// meanwhile.</summary>
@@ -38,7 +38,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 
     private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
-        lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, Text($"VS {sequence.Speed}"));
+        lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VS {sequence.Speed}"));
         var (sent, sinceRoom, started) = (0, 0, false);
         foreach (var group in Groups(sequence))
         {

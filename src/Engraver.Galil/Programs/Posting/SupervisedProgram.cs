@@ -32,8 +32,8 @@ internal sealed class SupervisedProgram
     public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
     {
         _profile = program.Profile;
-        var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, height => Text($"{height}"));
-        var spelling = new SequenceSyntax($"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, height => DmcFormat.Text($"{height}"));
+        var spelling = new SequenceSyntax($"CSS;{CountSequence}", "JS#CUT", place => DmcFormat.Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
         _form = new PostTemplate(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MaxLines = SequenceWriter.MaxLines };
     }
 
@@ -65,7 +65,7 @@ internal sealed class SupervisedProgram
     ];
 
     /// <summary>Assigns the heights by the controller's own zero, and raises the tool before the first rapid.</summary>
-    private static IReadOnlyList<string> HeightOpening(MachineProfile profile, int zero) => [Text($"{ClearanceHeight}={zero + profile.ClearanceCounts};zr={zero + profile.RetractCounts}"), "JS" + Up];
+    private static IReadOnlyList<string> HeightOpening(MachineProfile profile, int zero) => [DmcFormat.Text($"{ClearanceHeight}={zero + profile.ClearanceCounts};zr={zero + profile.RetractCounts}"), "JS" + Up];
 
     /// <summary>The end of a rapid: during a hold by the host, no step that would switch the tool on is started.</summary>
     private static IReadOnlyList<string> GateLines { get; } =
@@ -80,7 +80,7 @@ internal sealed class SupervisedProgram
         .. GateLines,
         .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, $"JP{EndedEarlyLabel},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
         .. SequenceWriter.RoomLines($"JP{EndedEarlyLabel},_BGS=0"),
-        .. new ProgramLines().Line(EndedEarlyLabel).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={EndedEarlyCode}")).Line("ZS").Line("JP#HALT").Lines,
+        .. new ProgramLines().Line(EndedEarlyLabel).Line(StopEverything(profile)).Line(DmcFormat.Text($"{Variables.ErrorCode}={EndedEarlyCode}")).Line("ZS").Line("JP#HALT").Lines,
         .. Guards(profile),
     ];
 }

@@ -16,7 +16,7 @@ internal static class UnattendedProgram
     public static string Start => WatchdogProgram.StartStatement;
 
     /// <summary>Ends the watchdog, before the job ends or in a handler.</summary>
-    public static string End { get; } = Text($"HX{ResidentProgram.WatchdogThread}");
+    public static string End { get; } = DmcFormat.Text($"HX{ResidentProgram.WatchdogThread}");
 
     /// <summary>The watchdog and the handlers other than #CMDERR.</summary>
     public static IReadOnlyList<string> Lines(MachineProfile profile)
@@ -26,11 +26,11 @@ internal static class UnattendedProgram
         const string Still = ResidentProgram.Variables.StandstillTicks;
         return new ProgramLines()
             .Line("#WDOG").Line("#WLIVE").Line(WatchdogProgram.StorePosition(profile))
-            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.ActivityCondition(profile)}").Line(Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile)}"))
-            .Line(stop, Text($"HX{ResidentProgram.MainThread}")).Line(spindle).Line("MG \"STANDSTILL\"").Line("EN")
+            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.ActivityCondition(profile)}").Line(DmcFormat.Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile)}"))
+            .Line(stop, DmcFormat.Text($"HX{ResidentProgram.MainThread}")).Line(spindle).Line("MG \"STANDSTILL\"").Line("EN")
             .Line("#LIMSWI").Line(stop).Line(spindle).Line("MG \"LIMIT\"").Line("JP#QUIT")
             .Line("#POSERR").Line(stop).Line(spindle).Line("MG \"POSERR\"").Line("JP#QUIT")
-            .Line("#TCPERR").Line(stop).Line(spindle).Line("#QUIT").Line(End).Line(Text($"HX{ResidentProgram.MainThread}")).Line("EN")
+            .Line("#TCPERR").Line(stop).Line(spindle).Line("#QUIT").Line(End).Line(DmcFormat.Text($"HX{ResidentProgram.MainThread}")).Line("EN")
             .Lines;
     }
 }

@@ -18,7 +18,7 @@ public static class CallsServerProgram
     [
         Entry,
         profile.Height is null ? "op=0;x=0;y=0;r=0;th=0;da=0" : "op=0;x=0;y=0;z=0;r=0;th=0;da=0",
-        Subprograms.Text($"f={profile.VectorSpeed()};go=0;done=1;seq=0"),
+        DmcFormat.Text($"f={profile.VectorSpeed()};go=0;done=1;seq=0"),
         CommandErrorProgram.ClearStatement,
         WatchdogProgram.StartStatement,
         "SH" + profile.Axes.Letters,
@@ -41,7 +41,7 @@ public static class CallsServerProgram
     ];
 
     private static IReadOnlyList<string> ToolLines(MachineProfile profile) =>
-        new ProgramLines().Line("#TOOL").Line(Subprograms.Text($"OB {profile.ToolOutput},{(profile.ToolActiveLow ? "1-x" : "x")}"), Subprograms.Settle(profile)).Line("EN").Lines;
+        new ProgramLines().Line("#TOOL").Line(DmcFormat.Text($"OB {profile.ToolOutput},{(profile.ToolActiveLow ? "1-x" : "x")}"), Subprograms.Settle(profile)).Line("EN").Lines;
 
-    private static IReadOnlyList<string> Dispatch(int operation, string label) => [Subprograms.Text($"JS{label},op={operation}")];
+    private static IReadOnlyList<string> Dispatch(int operation, string label) => [DmcFormat.Text($"JS{label},op={operation}")];
 }

@@ -25,7 +25,7 @@ internal static class HomingProgram
     public const string Axis = "hax";
 
     /// <summary>The change of an axis' counts, by its index in the order of homing.</summary>
-    public static string Shift(int place) => Text($"hs{(char)('a' + place)}");
+    public static string Shift(int place) => DmcFormat.Text($"hs{(char)('a' + place)}");
 
     /// <summary>The axes to be homed, in their order.</summary>
     public static IReadOnlyList<MachineAxis> Axes(MachineProfile profile) => [.. profile.Axes.All.Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order)];
@@ -77,7 +77,7 @@ internal static class HomingProgram
             lines.Line($"#HS{place}");
             Move("#HT", _fast, $"{input}{on}", HomingFault.NotFound);
             Brake();
-            lines.Line($"JP#HB{place},{input}{on}").Line(Text($"{Fault}={(int)HomingFault.Passed}")).Line("EN").Line($"#HB{place}");
+            lines.Line($"JP#HB{place},{input}{on}").Line(DmcFormat.Text($"{Fault}={(int)HomingFault.Passed}")).Line("EN").Line($"#HB{place}");
             Move("#HE", -_slow, $"{input}{off}", HomingFault.NoEdge);
             lines.Line($"hp=_RP{_letter};ST{_letter}").Line("AM" + _letter);
         }
@@ -96,13 +96,13 @@ internal static class HomingProgram
             var zero = Counts(axis.Scale.Exact(_homing.Zero));
             var rest = Counts(axis.Scale.Exact(_homing.Zero + ((_homing.Plus ? -1.0 : 1.0) * _homing.BackOff)));
             lines.Line("WT 100") // pulses of a stepper lag the profile (galil-dmc.md C, KS)
-                .Line(Text($"DP{_letter}=_RP{_letter}-hp+{zero}"))
-                .Line(Text($"{Shift(place)}={zero}-hp"))
-                .Line(Text($"SP{_letter}={_fast};PA{_letter}={rest}"))
+                .Line(DmcFormat.Text($"DP{_letter}=_RP{_letter}-hp+{zero}"))
+                .Line(DmcFormat.Text($"{Shift(place)}={zero}-hp"))
+                .Line(DmcFormat.Text($"SP{_letter}={_fast};PA{_letter}={rest}"))
                 .Line("BG" + _letter)
                 .Line("AM" + _letter)
-                .Line(Text($"JP#HZ{place},_RP{_letter}={rest}"))
-                .Line(Text($"{Fault}={(int)HomingFault.NoBackOff}"))
+                .Line(DmcFormat.Text($"JP#HZ{place},_RP{_letter}={rest}"))
+                .Line(DmcFormat.Text($"{Fault}={(int)HomingFault.NoBackOff}"))
                 .Line($"#HZ{place}")
                 .Line("EN");
         }
@@ -112,12 +112,12 @@ internal static class HomingProgram
         /// <summary>Moves the axis until the condition is true; the lines after it run while it still moves.</summary>
         /// <param name="speed">Counts per second; positive towards the switch.</param>
         private void Move(string label, int speed, string until, HomingFault otherwise) => lines
-            .Line(Text($"JG{_letter}={(_forward ? speed : -speed)}"))
+            .Line(DmcFormat.Text($"JG{_letter}={(_forward ? speed : -speed)}"))
             .Line("BG" + _letter)
             .Line($"{label}{place}")
             .Line($"JP{label}F{place},{until}")
             .Line($"JP{label}{place},_BG{_letter}=1")
-            .Line(Text($"{Fault}={(int)otherwise}"))
+            .Line(DmcFormat.Text($"{Fault}={(int)otherwise}"))
             .Line("EN")
             .Line($"{label}F{place}");
     }

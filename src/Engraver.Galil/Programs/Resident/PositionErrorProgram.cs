@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Resident;
 
@@ -16,7 +17,7 @@ internal static class PositionErrorProgram
         "#POSERR",
         Subprograms.StopEverything(profile),
         .. SpindleOff(profile),
-        Subprograms.Text($"{ResidentProgram.Variables.ErrorCode}={Code}"),
+        DmcFormat.Text($"{ResidentProgram.Variables.ErrorCode}={Code}"),
         "ZS",
         "JP#HALT",
     ];

@@ -17,7 +17,7 @@ public static class WatchdogProgram
     public const int HeartbeatLost = 1;
     public const int ToolForgotten = 2;
 
-    internal static string StartStatement { get; } = Subprograms.Text($"XQ#WDOG,{ResidentProgram.WatchdogThread}");
+    internal static string StartStatement { get; } = DmcFormat.Text($"XQ#WDOG,{ResidentProgram.WatchdogThread}");
 
     public static string Text(MachineProfile profile) => string.Join('\n', Lines(profile)) + "\n";
 
@@ -60,7 +60,7 @@ public static class WatchdogProgram
     /// 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
     private static IReadOnlyList<string> RaiseLines(MachineProfile profile) => profile.Axes.Z is not { } z || profile.Height is null ? [] : new ProgramLines()
         .Line("#WUP")
-        .Line(Subprograms.Text($"WT {DmcProfile.EvenMilliseconds(LongestBrake(profile) + 0.1)}"))
+        .Line(DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(LongestBrake(profile) + 0.1)}"))
         .Line("JP#WUQ,_BGS=0")
         .Line("AB1")
         .Line("#WUQ")
@@ -76,13 +76,13 @@ public static class WatchdogProgram
         profile.Scale.Diagonal.CountsOf(Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0) / profile.AccelerationCounts;
 
     /// <summary>While the tool is off the work, standstill has no time limit.</summary>
-    private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? Subprograms.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);
+    private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? DmcFormat.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);
 
     private static string Trip(MachineProfile profile, int why) => Subprograms.Statements(
         Subprograms.ToolOff(profile),
         Place(profile),
-        Subprograms.Text($"{ResidentProgram.Variables.WatchdogTripped}={why}"),
-        Subprograms.Text($"HX{ResidentProgram.MainThread}"),
+        DmcFormat.Text($"{ResidentProgram.Variables.WatchdogTripped}={why}"),
+        DmcFormat.Text($"HX{ResidentProgram.MainThread}"),
         "STS",
         "ST" + profile.Axes.Letters,
         $"{ResidentProgram.Variables.TripMark}={ResidentProgram.Variables.JobMark}");

@@ -136,8 +136,8 @@ internal sealed class CommissionedMachine
     }
 
     /// <exception cref="CommandException">The controller is no longer connected, because the link was lost in a move.</exception>
-    private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> act, CancellationToken cancellation) =>
-        Setup.IsPossible ? Setup.ApplyAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
+    private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> change, CancellationToken cancellation) =>
+        Setup.IsPossible ? Setup.ApplyAsync(change, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
 
     private async Task<bool> SwitchAsync(char axis, bool on)
     {

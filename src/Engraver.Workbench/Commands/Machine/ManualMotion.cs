@@ -15,7 +15,7 @@ internal static class ManualMotion
     {
         if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         if (whileHeld && context.Machine.Controls.IsHeld) return; // the operator who held the job is at the machine
-        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("HandMotion.InMotion"));
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("ManualMotion.InMotion"));
         if (context.RequiresManualStart) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
         if (context.IsScripted && !context.Machine.Connection.IsSimulation && context.Machine.Arming.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));
     }

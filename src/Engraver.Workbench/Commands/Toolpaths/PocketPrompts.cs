@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Toolpaths;
 
@@ -10,14 +11,18 @@ namespace Engraver.Workbench.Commands.Toolpaths;
 internal sealed class PocketPrompts(CommandContext context, IReadOnlyList<OffsetContour> contours)
 {
     private const string Memory = "POCKET.";
+    private const string Wall = "Wall";
+    private const string Centre = "Centre";
+    private const string Pocket = "Pocket";
+    private const string Everything = "Everything";
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("From", "Allowance", "Entry", "Job");
 
     /// <summary>The prompts in their order; From, Allowance, Entry and Job are options of the last but one, the depth.</summary>
     public async Task<PocketRequest> AskAsync()
     {
-        context.Remember(Memory + "Job", "Pocket"); // With the option All the outlines are cut into the wall, so it is chosen each time and not remembered.
-        var (from, entry, job) = (context.LastValue(Memory + "From", "Wall"), context.LastValue(Memory + "Entry", nameof(PocketEntry.Plunge)), context.LastValue(Memory + "Job", "Pocket"));
+        context.Remember(Memory + "Job", Pocket); // With the option All the outlines are cut into the wall, so it is chosen each time and not remembered.
+        var (from, entry, job) = (Choice("From"), Choice("Entry"), Choice("Job"));
         context.WriteMessage(Wording.Get("Pocket.Settings", Shown(from), First("Allowance"), Shown(entry), Shown(job)));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
@@ -50,13 +55,13 @@ internal sealed class PocketPrompts(CommandContext context, IReadOnlyList<Offset
         switch (option)
         {
             case "From":
-                await ChoiceAsync("From", "Wall", "Centre").ConfigureAwait(false);
+                await ChoiceAsync("From", Wall, Centre).ConfigureAwait(false);
                 break;
             case "Allowance":
                 await NumberAsync("Allowance", 0, Number("Diameter") / 2.0).ConfigureAwait(false);
                 break;
             case "Job":
-                await ChoiceAsync("Job", "Pocket", "Everything").ConfigureAwait(false);
+                await ChoiceAsync("Job", Pocket, Everything).ConfigureAwait(false);
                 break;
             default:
                 if (await ChoiceAsync("Entry", "Plunge", "Ramp", "Helix").ConfigureAwait(false) != "Plunge") await NumberAsync("RampAngle", 0.1, 89).ConfigureAwait(false);
@@ -74,7 +79,7 @@ internal sealed class PocketPrompts(CommandContext context, IReadOnlyList<Offset
 
     private async Task<string> ChoiceAsync(string name, params string[] options)
     {
-        var prompt = new ChoicePrompt(Wording.Get("Pocket." + name)) { Options = Keyword.List(options), Default = context.LastValue(Memory + name, options[0]), Preview = Preview() };
+        var prompt = new ChoicePrompt(Wording.Get("Pocket." + name)) { Options = Keyword.List(options), Default = Choice(name), Preview = Preview() };
         var answer = ((Answer<string>.SelectedOption)await context.AskAsync(prompt).ConfigureAwait(false)).Option;
         context.Remember(Memory + name, answer);
         return answer;
@@ -82,7 +87,26 @@ internal sealed class PocketPrompts(CommandContext context, IReadOnlyList<Offset
 
     private void Remember(string name, double value) => context.Remember(Memory + name, NumberPrompt.Format(value));
 
-    private string First(string name) => context.LastValue(Memory + name) ?? name switch { "Diameter" => "1", "Stepover" => "0.5", "RampAngle" => NumberPrompt.Format(PocketDepths.Flat.RampAngle.Degrees), _ => "0" };
+    private string First(string name) => context.LastValue(Memory + name) ?? NumberPrompt.Format(name switch
+    {
+        "Diameter" => PocketDefaults.ToolDiameter,
+        "Stepover" => PocketDefaults.Stepover,
+        "Angle" => PocketDefaults.AngleDegrees,
+        "Allowance" => PocketDefaults.Allowance,
+        "Depth" => PocketDefaults.Depth,
+        "Step" => PocketDefaults.Step,
+        "RampAngle" => PocketDefaults.RampAngleDegrees,
+        _ => throw new ArgumentOutOfRangeException(nameof(name), name, null),
+    });
+
+    /// <summary>The last choice; at first the default.</summary>
+    private string Choice(string name) => context.LastValue(Memory + name) ?? name switch
+    {
+        "Strategy" => PocketDefaults.Strategy.ToString(),
+        "From" => PocketDefaults.FromCentre ? Centre : Wall,
+        "Entry" => PocketDefaults.Entry.ToString(),
+        _ => Pocket,
+    };
 
     private double Number(string name) => NumberPrompt.TryParse(First(name), out var value) ? value : 0.0;
 
@@ -94,16 +118,16 @@ internal sealed class PocketPrompts(CommandContext context, IReadOnlyList<Offset
         {
             ToolRadius = radius,
             Stepover = Number("Stepover"),
-            Strategy = Enum.Parse<PocketStrategy>(context.LastValue(Memory + "Strategy", nameof(PocketStrategy.Contour))),
+            Strategy = Enum.Parse<PocketStrategy>(Choice("Strategy")),
             Angle = Angle.FromDegrees(Number("Angle")),
-            FromCentre = context.LastValue(Memory + "From") == "Centre",
+            FromCentre = Choice("From") == Centre,
             Allowance = Math.Min(Number("Allowance"), radius),
             MaxErrorMm = context.Document.Current.Settings.MaxErrorMm,
             JoinToleranceMm = context.Document.Current.Settings.JoinToleranceMm,
         };
-        var entry = depth > 0.0 ? Enum.Parse<PocketEntry>(context.LastValue(Memory + "Entry", nameof(PocketEntry.Plunge))) : PocketEntry.Plunge;
+        var entry = depth > 0.0 ? Enum.Parse<PocketEntry>(Choice("Entry")) : PocketEntry.Plunge;
         var depths = new PocketDepths { Depth = depth, Step = depth > 0.0 ? Number("Step") : 0.0, Entry = entry, RampAngle = Angle.FromDegrees(Number("RampAngle")) };
-        return new PocketRequest(options, depths, IsJob: context.LastValue(Memory + "Job") != "Everything");
+        return new PocketRequest(options, depths, IsJob: Choice("Job") != Everything);
     }
 
     /// <summary>The passes of one level with their links, in drawing units.</summary>

@@ -15,29 +15,29 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var at = await TrajectorySelection.PickOneAsync(context).ConfigureAwait(false);
-        var act = await context.ChoiceAsync(Wording.Get("Trajectories.WhatToChange"), s_actions, null).ConfigureAwait(false);
+        var change = await context.ChoiceAsync(Wording.Get("Trajectories.WhatToChange"), s_actions, null).ConfigureAwait(false);
         List<DocumentTrajectory> all = [.. TrajectorySelection.All(context)];
-        if (act is "Up" or "DOwn")
+        if (change is "Up" or "DOwn")
         {
-            var to = act == "Up" ? at - 1 : at + 1;
+            var to = change == "Up" ? at - 1 : at + 1;
             if (to < 0 || to >= all.Count) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.AtTheEnd", all[at].Name));
             (all[at], all[to]) = (all[to], all[at]);
         }
-        else if (act == "Delete")
+        else if (change == "Delete")
         {
             context.WriteMessage(Wording.Get("Trajectories.Deleted", all[at].Name));
             all.RemoveAt(at);
         }
         else
         {
-            all[at] = await ChangedAsync(context, all[at], act).ConfigureAwait(false);
+            all[at] = await ChangedAsync(context, all[at], change).ConfigureAwait(false);
             context.WriteMessage(TrajectoryLine.Format(all[at]), MessageKind.Result);
         }
 
         TrajectoryChange.All(context, all);
     }
 
-    private static Task<DocumentTrajectory> ChangedAsync(CommandContext context, DocumentTrajectory one, string act) => act switch
+    private static Task<DocumentTrajectory> ChangedAsync(CommandContext context, DocumentTrajectory one, string change) => change switch
     {
         "Name" => RenamedAsync(context, one),
         "Z" => RaisedAsync(context, one),

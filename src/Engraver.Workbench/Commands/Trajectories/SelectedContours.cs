@@ -3,6 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Geometry.Biarcs;
+using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
@@ -34,8 +35,8 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     /// <summary>The contours of some entities, empty if none has a length.</summary>
     public static (SelectedContours Contours, IReadOnlyList<Diagnostic> Findings) Of(Drawing drawing, DrawingSettings settings, IReadOnlyList<int> entities)
     {
-        var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities));
-        var chained = Sequencer.Chain(table, drawing, StageOptions.SequencingFor(drawing, settings with { Enter = null }));
+        var job = new AnalysedJob(new DrawnJob(drawing, settings with { Enter = null, Kerf = KerfSide.Off }), ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities)));
+        var chained = new StageRun(job, CancellationToken.None).To<ChainedJob>().Chained;
         var contours = OffsetDrawing.ContoursOf(chained).Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)));
         return (new SelectedContours([.. contours], entities), chained.Diagnostics);
     }

@@ -172,7 +172,7 @@ public static class JobReportPage
         if (standing.Certificate is not { } certificate) return;
         page.Pairs(
         [
-            new PagePair(Wording.Get("JobReport.Validity"), Wording.Get("ReportStanding." + standing.State), "standing"),
+            new PagePair(Wording.Get("JobReport.Validity"), Wording.Get("CertificateState." + standing.State), "standing"),
             new PagePair(Wording.Get("JobReport.Issued"), $"{Time(certificate.Issued, here)}, {certificate.IssuedBy}"),
             new PagePair(Wording.Get("JobReport.Target"), certificate.Program.Target, "program.target"),
             PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "certificate.maxDeviation", certificate.MaxDeviation, "0.0000"),
@@ -194,7 +194,7 @@ public static class JobReportPage
         page.Paragraph(Wording.Get("JobReport.OtherCertificates"));
         page.Table(
             [Wording.Get("JobReport.Target"), Wording.Get("JobReport.Validity"), Wording.Get("JobReport.Issued"), Wording.Get("JobReport.MaxDeviation"), Wording.Get("JobReport.Tolerance"), Wording.Get("JobReport.ProgramHash")],
-            others.Select(one => (string[])[one.Target, Wording.Get("ReportStanding." + one.Standing.State), one.Standing.Certificate is { } made ? Time(made.Issued, here) : "–", Figure(one.Standing.Certificate?.MaxDeviation), Figure(one.Standing.Certificate?.Tolerance), one.Standing.Certificate?.Program.Sha256 ?? "–"]));
+            others.Select(one => (string[])[one.Target, Wording.Get("CertificateState." + one.Standing.State), one.Standing.Certificate is { } made ? Time(made.Issued, here) : "–", Figure(one.Standing.Certificate?.MaxDeviation), Figure(one.Standing.Certificate?.Tolerance), one.Standing.Certificate?.Program.Sha256 ?? "–"]));
     }
 
     private static string Box(CertifiedLimits box)

@@ -128,6 +128,29 @@ public class HoldTests
         CutRecord.AssertWholePathWasCut(bench, MotionPrograms.Paper);
     }
 
+    /// <summary>A spindle that stops in a hold gives up what is held. Another host starts a sequence while the job is prepared: it is given up before the job's
+    /// own first motion.</summary>
+    [Fact]
+    public async Task A_hold_that_gives_up_a_motion_in_the_preparation_ends_the_job_as_stopped()
+    {
+        await using var bench = new SimulatedBench();
+        var profile = MachineProfile.Default with { Spindle = new Spindle { Output = 3, SpinUpSeconds = 0.4, StopsInHold = true } };
+        var (control, isStarted) = (new JobControl(), false);
+        control.Hold();
+        await using var session = await bench.OpenAsync(opened: link => link.Sending = line =>
+        {
+            if (isStarted || !line.StartsWith("XQ", StringComparison.Ordinal)) return;
+            isStarted = true;
+            bench.Interfere("VMAB;VP 200000,0;VE;BGS");
+        });
+
+        var result = await JobRunner.RunAsync(MotionPrograms.Paper with { Profile = profile }, session, SimulatedBench.Job with { Control = control }, null, CancellationToken.None);
+
+        Assert.Equal((JobOutcome.Stopped, "Stopped by the operator.", 0, 1), (result.Outcome, result.Message, result.SegmentsExecuted, result.Holds));
+        Assert.True(bench.Controller.Status.IsIdle);
+        Assert.InRange(bench.Last.A, 1, 199_999); // the sequence of the other host had begun and was ended
+    }
+
     [Theory]
     [MemberData(nameof(Everywhere))]
     public async Task A_dry_run_is_held_with_the_tool_off_throughout(JobMode mode, int baud)

@@ -1,4 +1,4 @@
-namespace Engraver.Core.Dxf.Records;
+namespace Engraver.Core.Drawings;
 
 /// <summary>Construction that is cut at the operator's request (<c>--cut</c>); without it, construction is only counted.</summary>
 [Flags]

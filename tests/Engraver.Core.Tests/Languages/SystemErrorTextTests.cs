@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 namespace Engraver.Core.Tests.Languages;
 
 /// <summary>Errors of the operating system are reported in texts of this program.</summary>
-public sealed class SystemReasonTests
+public sealed class SystemErrorTextTests
 {
     [Fact]
     public void Files_that_cannot_be_used_say_why_without_the_words_of_the_runtime()

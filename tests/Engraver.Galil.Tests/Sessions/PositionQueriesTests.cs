@@ -8,7 +8,7 @@ namespace Engraver.Galil.Tests.Sessions;
 
 /// <summary>The axes without an encoder: the controller reports them in any format of _MT (galil-dmc.md C; the number format is not known, hardware checklist
 /// 7.10).</summary>
-public class PlaceQuestionsTests
+public class PositionQueriesTests
 {
     private const string Refused = "?";
 

@@ -5,11 +5,11 @@ using Engraver.Core.Machines;
 namespace Engraver.Links.Tests;
 
 /// <summary>The port of <c>clock=</c> may have no listener, another service, or one that ends in the middle.</summary>
-public sealed class OfferedClockTests : IDisposable
+public sealed class SharedClockTests : IDisposable
 {
     private readonly TcpListener _other = new(IPAddress.Loopback, 0);
 
-    public OfferedClockTests() => _other.Start();
+    public SharedClockTests() => _other.Start();
 
     public void Dispose() => _other.Dispose();
 
