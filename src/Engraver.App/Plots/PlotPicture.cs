@@ -69,9 +69,9 @@ internal static class PlotPicture
     /// <summary>Title with the unit and the largest limit of the plot.</summary>
     private static string TitleOf(PlotContent content, PlotPanel panel)
     {
-        var title = Text.Get("Plots.Title." + panel.Key);
+        var title = Text.Get("PlotTitle." + panel.Key);
         var limits = content.Limits.Where(limit => panel.Quantities.Contains(limit.Quantity)).Select(limit => limit.Value).ToList();
-        return limits.Count == 0 ? title : Text.Get("Plots.TitleWithLimit", title, Text.Get("Plots.Limit." + panel.Key, Number(Math.Round(limits.Max(), 4))));
+        return limits.Count == 0 ? title : Text.Get("Plots.TitleWithLimit", title, Text.Get("PlotLimit." + panel.Key, Number(Math.Round(limits.Max(), 4))));
     }
 
     private static void ShowLegend(Plot plot, PlotColours colours)
@@ -132,11 +132,11 @@ internal static class PlotPicture
     private static string NameOf(PlotSeries series, PlotPanel panel, PlotQuantity quantity)
     {
         var motion = MotionName(series);
-        return panel.Quantities.Count > 1 ? Text.Get("Plots.CurveOfAxis", motion, Text.Get("Plots.Axis." + quantity)) : motion;
+        return panel.Quantities.Count > 1 ? Text.Get("Plots.CurveOfAxis", motion, Text.Get("PlotAxis." + quantity)) : motion;
     }
 
     /// <summary>Name of a motion in legend and values.</summary>
-    public static string MotionName(PlotSeries series) => series.Role == PlotRole.Compared ? series.Name : Text.Get("Plots.Motion." + series.Role);
+    public static string MotionName(PlotSeries series) => series.Role == PlotRole.Compared ? series.Name : Text.Get("PlotMotion." + series.Role);
 
     private static void AddLimits(Plot plot, PlotContent content, PlotPanel panel, PlotColours colours, double low, double high)
     {
@@ -158,7 +158,7 @@ internal static class PlotPicture
         plot.Axes.Left.TickGenerator = new NumericAutomatic { LabelFormatter = Number };
         if (axis == PlotAxis.Time) plot.Axes.Bottom.TickGenerator = new TimeTicks();
         else plot.Axes.Bottom.TickGenerator = new NumericAutomatic { LabelFormatter = Number };
-        if (isLast) plot.XLabel(Text.Get("Plots.Over." + axis), FontSize);
+        if (isLast) plot.XLabel(Text.Get("PlotOver." + axis), FontSize);
         else plot.Axes.Bottom.TickLabelStyle.IsVisible = false;
         plot.Axes.Bottom.Label.Bold = false;
     }

@@ -9,10 +9,10 @@ namespace Engraver.App.Plots;
 /// <summary>The switch of one plot.</summary>
 public sealed class PlotToggle(PlotPanel panel, DesktopModel desk, PlotsModel owner) : ObservableObject
 {
-    public string Name { get; } = Text.Get("Plots.Name." + panel.Key);
+    public string Name { get; } = Text.Get("PlotName." + panel.Key);
 
     /// <summary>What it shows, or why it is empty.</summary>
-    public string Tip => Text.Get(HasData ? "Plots.Tip" : "Plots.TipNoData", Text.Get("Plots.Title." + panel.Key));
+    public string Tip => Text.Get(HasData ? "Plots.Tip" : "Plots.TipNoData", Text.Get("PlotTitle." + panel.Key));
 
     public bool HasData => owner.Content.Series.Any(series => panel.Quantities.Any(quantity => series.Motion.Of(quantity) is not null));
 

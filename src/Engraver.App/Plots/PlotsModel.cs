@@ -210,15 +210,15 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         var motion = plan ?? Content.Series[0].Motion;
         var parts = new List<string>
         {
-            Text.Get("Plots.Value.Time", ClockText.Format(motion.Convert(axis, place, PlotAxis.Time), 2)),
-            Text.Get("Plots.Value.Path", motion.Convert(axis, place, PlotAxis.Path).ToString("0.##", CultureInfo.InvariantCulture)),
+            Text.Get("PlotValue.Time", ClockText.Format(motion.Convert(axis, place, PlotAxis.Time), 2)),
+            Text.Get("PlotValue.Path", motion.Convert(axis, place, PlotAxis.Path).ToString("0.##", CultureInfo.InvariantCulture)),
         };
         if (plan?.Entities?[plan.SampleAt(axis, place)] is { } entity and >= 0 && EntityName(entity) is { } name) parts.Add(name);
         foreach (var quantity in Content.Panels.SelectMany(panel => panel.Quantities))
         {
             var values = Content.Series.Select(series => (series, Value: series.Motion.ValueAt(quantity, axis, place))).Where(one => !double.IsNaN(one.Value)).ToList();
             if (values.Count == 0) continue;
-            parts.Add(Text.Get("Plots.Value." + quantity, string.Join(" / ", values.Select(one => Number(one.Value, quantity)))));
+            parts.Add(Text.Get("PlotValue." + quantity, string.Join(" / ", values.Select(one => Number(one.Value, quantity)))));
         }
 
         return string.Join("   ", parts);
@@ -234,6 +234,6 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     private string? EntityName(int entity)
     {
         if (_desk.Derived.Current.State.Drawing is not { } drawing || entity >= drawing.Entities.Count) return null;
-        return Text.Get("Plots.Value.Entity", drawing.Entities[entity].Type.ToDxfName(), drawing.SourceOf(entity).Handle ?? "");
+        return Text.Get("PlotValue.Entity", drawing.Entities[entity].Type.ToDxfName(), drawing.SourceOf(entity).Handle ?? "");
     }
 }

@@ -23,8 +23,8 @@ public sealed class SequenceKinematics(VectorSequence sequence, double accelerat
     /// <param name="segment">As for <see cref="VelocityAt"/>.</param>
     /// <param name="from">As for <see cref="VelocityAt"/>.</param>
     /// <param name="fraction">As for <see cref="VelocityAt"/>.</param>
-    /// <param name="rampPlace">Place at which the acceleration along the path is taken; null for <paramref name="path"/>. At an end of a ramp, where it changes,
-    /// a place beside the end selects the value before or after.</param>
+    /// <param name="rampPlace">Place at which the acceleration along the path is taken; null for <paramref name="path"/>. At an end of a ramp a place beside
+    /// it selects the value before or after.</param>
     public Vector2D AccelerationAt(in VectorSegment segment, CountsPoint from, double fraction, double path, double? rampPlace = null)
     {
         var direction = Direction(segment, from, fraction);

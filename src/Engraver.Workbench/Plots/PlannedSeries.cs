@@ -15,8 +15,8 @@ public static class PlannedSeries
 
     private const double Percent = 100.0;
 
-    /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a tenth of its amplitude.</summary>
-    private const double ArcStepDegrees = 5.0;
+    /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a twentieth of its amplitude.</summary>
+    private const double ArcStepDegrees = 2.5;
 
     /// <summary>Number of parts of a ramp of a rapid, where the speeds of two axes are combined.</summary>
     private const int PartsOfRamp = 8;

@@ -41,7 +41,7 @@ public class PlannedSeriesTests
     public void Acceleration_is_the_second_derivative_of_the_planned_position(string sample)
     {
         const double Step = 1e-3;
-        const double Tolerance = 0.03; // at the start of an arc the first five degrees are one step, in which the direction is not linear in time
+        const double Tolerance = 0.03; // at the start of an arc the first step is an angle, in which the direction is not linear in time
         var motion = Motion(sample).Motion!;
         var series = Sample(motion);
         var compared = 0;

@@ -19,7 +19,7 @@ public class PlotCommandTests
         Assert.All(lines.Skip(1), line => Assert.StartsWith("plan,", line, StringComparison.Ordinal));
 
         Assert.Contains("only the desktop", Failure(await talk.TypeAsync("PLOTEXPORT", "plots.png")), StringComparison.Ordinal);
-        Assert.Contains("none of .png, .svg, .csv", Failure(await talk.TypeAsync("PLOTEXPORT", "plots.bmp")), StringComparison.Ordinal);
+        Assert.Contains("one of .png, .svg, .csv", Failure(await talk.TypeAsync("PLOTEXPORT", "plots.bmp")), StringComparison.Ordinal);
         Assert.False(File.Exists(talk.PathOf("plots.png")));
     }
 

@@ -148,7 +148,7 @@ public class HoldTests
 
         Assert.Equal((JobOutcome.Stopped, "Stopped by the operator.", 0, 1), (result.Outcome, result.Message, result.SegmentsExecuted, result.Holds));
         Assert.True(bench.Controller.Status.IsIdle);
-        Assert.InRange(bench.Last.A, 1, 199_999); // the sequence of the other host had begun and was ended
+        Assert.InRange(bench.Last.A, 1, 199_999); // the sequence of the other host had started and was ended
     }
 
     [Theory]
