@@ -34,13 +34,11 @@ public class BiarcFitTests
     public Property Splines_stay_within_the_error() => Prop.ForAll(FreeCurves.Splines, StaysWithin);
 
     [Property]
-    public Property Every_place_of_the_arcs_is_as_near_to_the_curve() => Prop.ForAll(FreeCurves.Ellipses, curve =>
-        BiarcFit.Fit(curve, MaxError).All(piece => Enumerable.Range(0, 21).All(i => curve.DistanceTo(piece.PointAt(i / 20.0)) <= MaxError * 1.0001)));
+    public Property Every_place_of_the_arcs_is_as_near_to_the_curve() => Prop.ForAll(FreeCurves.Ellipses, ArcsAreNear);
 
     /// <summary>A span that leaves its chord only in a sharp bend at its end: Newton's method alone loses the foot.</summary>
-    [Property(Replay = "(6161227969764188031,11932819297608293365)", MaxTest = 1)]
-    public Property The_distance_is_found_where_a_thin_ellipse_turns_sharply() => Prop.ForAll(FreeCurves.Ellipses, curve =>
-        BiarcFit.Fit(curve, MaxError).All(piece => Enumerable.Range(0, 21).All(i => curve.DistanceTo(piece.PointAt(i / 20.0)) <= MaxError * 1.0001)));
+    [Fact]
+    public void The_distance_is_found_where_a_thin_ellipse_turns_sharply() => Assert.True(ArcsAreNear(FreeCurves.Ellipse(-29.957, 34.926, 36.792, 0.022, 262.0, 84.0, -242.0).ToCurve()));
 
     [Property]
     public Property Ends_and_end_tangents_are_the_curves_and_neighbours_share_theirs() => Prop.ForAll(FreeCurves.Ellipses, curve =>
@@ -104,6 +102,9 @@ public class BiarcFitTests
     [Fact]
     public void A_curve_of_astronomic_size_comes_to_an_end() =>
         Assert.InRange(BiarcFit.Fit(FreeCurves.Ellipse(0, 0, 1e90, 0.3, 10.0, 5.0, 300.0).ToCurve(), MaxError).Count, 1, 100_000);
+
+    private static bool ArcsAreNear(RationalCurve curve) =>
+        BiarcFit.Fit(curve, MaxError).All(piece => Enumerable.Range(0, 21).All(i => curve.DistanceTo(piece.PointAt(i / 20.0)) <= MaxError * 1.0001));
 
     private static bool StaysWithin(RationalCurve curve) => StaysWithin(curve, BiarcFit.Fit(curve, MaxError), MaxError);
 
