@@ -82,11 +82,11 @@ public class TestExtentTests
     }
 
     /// <summary>The property itself is the check: without the seed of the run, or with another one, its first case differs.</summary>
-    [Property(MaxTest = 1, StartSize = 1_000_000)]
+    [Property(MaxTest = 1, StartSize = 100, EndSize = 100)]
     public void A_property_runs_with_the_seed_of_the_run(int first)
     {
         Assert.IsType<PropertySeedAttribute>(Assert.Single(typeof(TestExtentTests).Assembly.GetCustomAttributes<PropertiesAttribute>()));
-        if (TestExtent.Replay.Length == 0 && !TestExtent.IsFull) Assert.Equal(0, first);
+        if (TestExtent.Replay.Length == 0 && !TestExtent.IsFull) Assert.Equal(-24, first);
     }
 
     /// <summary>Pictures and a log are output files and do not change the extent.</summary>
