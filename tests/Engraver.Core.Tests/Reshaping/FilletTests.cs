@@ -98,7 +98,7 @@ public class FilletTests
     }
 
     /// <summary>For every pair: the arc has its radius, starts and ends on both, and continues in their directions, within 1e-9 of its size.</summary>
-    [Property]
+    [Property(MaxRejected = 10_000)]
     public Property A_fillet_arc_is_tangent_to_both() => Prop.ForAll(s_pairs, pair =>
     {
         var (a, b, radius) = pair;

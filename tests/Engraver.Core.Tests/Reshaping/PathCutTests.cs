@@ -89,7 +89,7 @@ public class PathCutTests
 
     /// <summary>The removed and the remaining parts together have the length of the whole, meet at the cuts, and every point of the whole is on one of
     /// them. Only paths that an edge crosses count as cases.</summary>
-    [Property]
+    [Property(MaxRejected = 10_000)]
     public Property What_is_trimmed_and_what_is_left_are_the_whole() => Prop.ForAll(s_cuts, drawn =>
     {
         var (path, edges, at) = drawn;

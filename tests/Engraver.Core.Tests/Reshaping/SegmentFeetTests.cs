@@ -33,7 +33,7 @@ public class SegmentFeetTests
         Assert.Equal([new Point2D(5, 0), new Point2D(-5, 0)], SegmentFeet.Perpendicular(Circle(5.0), new Point2D(13, 0)));
     }
 
-    [Property(MaxTest = 2000)]
+    [Property(MaxTest = 2000, MaxRejected = 20_000)]
     public Property Lines_to_feet_are_square_and_to_tangent_places_touch() => Prop.ForAll(s_looks, look =>
     {
         var (segment, from) = look;
