@@ -1,5 +1,6 @@
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Simulator.Tests;
 
@@ -27,13 +28,13 @@ public class CamTests
         Assert.Equal((slave, 1, 60), (rig.Value("_TPB"), rig.Value("_EGB"), rig.Value("_SCB")));
     }
 
-    [Fact]
-    public void Wherever_the_master_goes_the_slave_is_on_its_table()
+    [Property]
+    public Property Wherever_the_master_goes_the_slave_is_on_its_table()
     {
         const int interval = 500;
         var table = Gen.Choose(-3000, 3000).ArrayOf(5);
         var moves = Gen.Choose(-7000, 7000).Where(m => m != 0).ArrayOf(3);
-        Prop.ForAll(table.ToArbitrary(), moves.ToArbitrary(), (points, ways) =>
+        return Prop.ForAll(table.ToArbitrary(), moves.ToArbitrary(), (points, ways) =>
         {
             var rig = new SimulatorRig();
             rig.Do("EAA", $"EM {4 * interval},{Math.Abs(points[4] - points[0])}", $"EP {interval}");
@@ -45,7 +46,7 @@ public class CamTests
             var (segment, rest) = Math.DivRem(place, interval);
             var wanted = points[segment] + ((points[segment + 1] - points[segment]) * (double)rest / interval);
             return place == ((ways.Sum() % 2000) + 2000) % 2000 && Math.Abs(rig.Value("_RPB") - wanted) <= 0.5;
-        }).QuickCheckThrowOnFailure();
+        });
     }
 
     [Fact]

@@ -1,6 +1,7 @@
 using System.Text;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Simulator.Tests;
 
@@ -35,11 +36,11 @@ public class ContourTests
         Assert.Equal((51, 51, 0), (rig.Value("_SCA"), rig.Value("_SCB"), rig.Value("_BGA")));
     }
 
-    [Fact]
-    public void A_contour_takes_the_sum_of_its_intervals_and_goes_the_sum_of_its_increments()
+    [Property]
+    public Property A_contour_takes_the_sum_of_its_intervals_and_goes_the_sum_of_its_increments()
     {
         var records = Gen.Choose(-900, 900).Zip(Gen.Choose(1, 6)).ArrayOf(12);
-        Prop.ForAll(records.ToArbitrary(), contour =>
+        return Prop.ForAll(records.ToArbitrary(), contour =>
         {
             var rig = new SimulatorRig(Newer with { CommandCost = TimeSpan.Zero });
             rig.Do("CMA");
@@ -48,7 +49,7 @@ public class ContourTests
             var start = rig.Controller.Status.Sample;
             rig.RunToIdle();
             return rig.Value("_RPA") == contour.Sum(r => r.Item1) && rig.Controller.Status.Sample - start == contour.Sum(r => 1 << r.Item2);
-        }).QuickCheckThrowOnFailure();
+        });
     }
 
     [Fact]

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Simulator.Values;
-using FsCheck;
-using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Simulator.Tests;
 
@@ -78,14 +77,13 @@ public class LanguageTests
         Assert.Equal(code, rig.Refusal(command));
     }
 
-    [Fact]
-    public void Integers_print_as_they_were_written() => Prop.ForAll<int>(n =>
-        NumberFormat.Variable.Print(FixedPoint.FromInteger(n)).TrimStart()
-            == n.ToString(CultureInfo.InvariantCulture) + ".0000").QuickCheckThrowOnFailure();
+    [Property]
+    public bool Integers_print_as_they_were_written(int n) =>
+        NumberFormat.Variable.Print(FixedPoint.FromInteger(n)).TrimStart() == n.ToString(CultureInfo.InvariantCulture) + ".0000";
 
-    [Fact]
-    public void Sums_and_differences_undo_each_other_even_when_they_wrap() => Prop.ForAll<int, int>((a, b) =>
-        FixedPoint.FromInteger(a) + FixedPoint.FromInteger(b) - FixedPoint.FromInteger(b) == FixedPoint.FromInteger(a)).QuickCheckThrowOnFailure();
+    [Property]
+    public bool Sums_and_differences_undo_each_other_even_when_they_wrap(int a, int b) =>
+        FixedPoint.FromInteger(a) + FixedPoint.FromInteger(b) - FixedPoint.FromInteger(b) == FixedPoint.FromInteger(a);
 
     [Fact]
     public async Task Nested_conditions_share_lines()

@@ -1,5 +1,6 @@
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Simulator.Tests;
 
@@ -271,8 +272,8 @@ public class VectorMotionTests
         Assert.Equal((1000, -1000, 0), (samples.Max(s => s.A), samples.Min(s => s.A), samples[^1].A));
     }
 
-    [Fact]
-    public void Every_sample_of_a_random_polyline_lies_on_it_and_it_ends_exactly() =>
+    [Property]
+    public Property Every_sample_of_a_random_polyline_lies_on_it_and_it_ends_exactly() =>
         Prop.ForAll(Polylines.ToArbitrary(), points =>
         {
             var rig = new SimulatorRig(new SimulatorOptions { CommandCost = TimeSpan.FromMilliseconds(0.1) });
@@ -283,7 +284,7 @@ public class VectorMotionTests
             var samples = rig.Controller.Record.Snapshot();
             var path = points.Prepend((0, 0)).ToArray();
             return (samples[^1].A, samples[^1].B) == points[^1] && samples.All(s => Distance(path, s) <= 0.75);
-        }).QuickCheckThrowOnFailure();
+        });
 
     private static Gen<(int X, int Y)[]> Polylines =>
         Gen.Choose(-3000, 3000).Two().Select(t => (t.Item1, t.Item2)).NonEmptyListOf()

@@ -10,6 +10,10 @@ public static class TestExtent
     /// <summary>True for the full run: every combination and the large numbers of seeds.</summary>
     public static bool IsFull { get; } = Environment.GetEnvironmentVariable("ENGRAVER_FULL") == "1";
 
+    /// <summary>The seed of a failed property, to repeat it: <c>(state,increment)</c> for all its cases, <c>(state,increment,size)</c> for its last one.
+    /// Empty if the variable is not set.</summary>
+    public static string Replay { get; } = Environment.GetEnvironmentVariable("ENGRAVER_REPLAY") ?? "";
+
     /// <summary>The number of cases of a test.</summary>
     /// <param name="perCommit">In <c>./test</c>.</param>
     /// <param name="full">In <c>./test --full</c>.</param>

@@ -30,6 +30,10 @@ public class HabitTests
     [Fact]
     public void No_test_returns_green_where_the_corpus_is_missing() => AssertNowhere("tests", @"\bCorpus is (not \{ \}|null)[^;]*\breturn;");
 
+    /// <summary>A property that is checked inside another test does not use the seed of the run (PropertySeedAttribute).</summary>
+    [Fact]
+    public void No_property_is_checked_inside_another_test() => AssertNowhere("tests", @"\b(QuickCheck\w*|VerboseCheck\w*|Check\.(One|Quick|Verbose|Method)\w*|Config\.(Quick|Verbose)\w*)\b");
+
     /// <summary>CHANGELOG.md may name versions.</summary>
     [Fact]
     public void The_version_is_stated_in_one_place()

@@ -1,5 +1,7 @@
+using System.Reflection;
 using Engraver.Architecture.Tests.Sources;
 using Engraver.TestKit;
+using FsCheck.Xunit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
@@ -56,6 +58,36 @@ public class TestExtentTests
     [InlineData(1)]
     [InlineData(2)]
     public void Nor_is_one_with_data(int row) => Assert.True(TestExtent.IsFull, $"{row}");
+
+    /// <summary>A commit repeats the cases of the commit before, the full run finds new ones.</summary>
+    [Theory]
+    [InlineData("", false, PropertySeedAttribute.OfCommit)]
+    [InlineData("", true, "")]
+    [InlineData("(1,3)", true, "(1,3)")]
+    [InlineData("(1,3,20)", false, "(1,3,20)")]
+    public void The_seed_of_properties_is_that_of_the_run_or_the_named_one(string named, bool full, string seed) => Assert.Equal(seed, PropertySeedAttribute.SeedOf(named, full));
+
+    [Theory]
+    [InlineData("7")]
+    [InlineData("(1,3,20,4)")]
+    [InlineData("(1,-3)")]
+    [InlineData("(1,2)")]
+    [InlineData("(1,99999999999999999999)")]
+    [InlineData("1 3")]
+    public void A_seed_that_cannot_be_read_is_refused_by_its_name(string named)
+    {
+        var refused = Assert.Throws<FormatException>(() => PropertySeedAttribute.SeedOf(named, full: false));
+        Assert.Contains("ENGRAVER_REPLAY", refused.Message, StringComparison.Ordinal);
+        Assert.Contains(named, refused.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>The property itself is the check: without the seed of the run, or with another one, its first case differs.</summary>
+    [Property(MaxTest = 1, StartSize = 100, EndSize = 100)]
+    public void A_property_runs_with_the_seed_of_the_run(int first)
+    {
+        Assert.IsType<PropertySeedAttribute>(Assert.Single(typeof(TestExtentTests).Assembly.GetCustomAttributes<PropertiesAttribute>()));
+        if (TestExtent.Replay.Length == 0 && !TestExtent.IsFull) Assert.Equal(-24, first);
+    }
 
     /// <summary>Pictures and a log are output files and do not change the extent.</summary>
     [Fact]

@@ -4,6 +4,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.EntityTables;
 
@@ -74,8 +75,8 @@ public class ArcAnalysisTests
         Assert.Equal(0.0, table[2][EntitySlot.Sweep]);
     }
 
-    [Fact]
-    public void Every_arc_ends_on_its_circle_and_keeps_its_way() =>
+    [Property]
+    public Property Every_arc_ends_on_its_circle_and_keeps_its_way() =>
         Prop.ForAll(Arcs.Any, arc =>
         {
             var row = Analysed(new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromArc(arc)))[0];
@@ -84,15 +85,15 @@ public class ArcAnalysisTests
                 && Math.Abs(row.EndPoint.DistanceTo(arc.Centre) - arc.Radius) <= 1e-9 * size
                 && row.EndPoint.IsNear(arc.EndPoint, 1e-9 * size)
                 && row.SweepDegrees == arc.Sweep.Degrees;
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void The_rotation_angle_of_a_drawn_arc_comes_from_its_angles_alone() =>
+    [Property]
+    public Property The_rotation_angle_of_a_drawn_arc_comes_from_its_angles_alone() =>
         Prop.ForAll(Arcs.CounterClockwise, arc =>
         {
             var row = Analysed(new DrawingBuilder().Curve(CurveType.Arc, Segment.FromArc(arc)))[0];
             return Math.Abs(row.SweepDegrees - arc.Sweep.Degrees) <= 1e-9;
-        }).QuickCheckThrowOnFailure();
+        });
 
     private static EntityTable Analysed(DrawingBuilder drawing) => ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing.Build(), LayerSelection.Default));
 }

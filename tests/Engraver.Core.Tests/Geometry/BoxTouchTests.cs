@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
@@ -25,21 +26,21 @@ public class BoxTouchTests
     [Fact]
     public void A_circle_that_comes_in_from_one_side_does() => Assert.True(Box.Touches(Circle(12, 2.5, 3)));
 
-    [Fact]
-    public void An_arc_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(Arcs.Any, arc =>
+    [Property]
+    public Property An_arc_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(Arcs.Any, arc =>
     {
         var box = Bounds2D.FromCorners(arc.PointAt(0.4), arc.PointAt(0.4)).Grown(arc.Radius * 0.01);
         var away = new Bounds2D(arc.Bounds.MaxX + 1.0, arc.Bounds.MinY, arc.Bounds.MaxX + 2.0, arc.Bounds.MaxY);
         return box.Touches(Segment.FromArc(arc)) && !away.Touches(Segment.FromArc(arc));
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void A_curve_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(FreeCurves.Splines, curve =>
+    [Property]
+    public Property A_curve_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(FreeCurves.Splines, curve =>
     {
         var place = curve.PointAt(0.43);
         var away = new Bounds2D(curve.Bounds.MaxX + 1.0, curve.Bounds.MinY, curve.Bounds.MaxX + 2.0, curve.Bounds.MaxY);
         return Bounds2D.FromCorners(place, place).Grown(1e-6).Touches(Segment.FromCurve(curve)) && !away.Touches(Segment.FromCurve(curve));
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void An_ellipse_around_the_box_does_not_touch_it() =>

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
@@ -8,8 +9,8 @@ public class BoxTreeTests
 {
     private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
 
-    [Fact]
-    public void The_nearest_item_is_the_one_that_looking_at_all_would_find() =>
+    [Property]
+    public Property The_nearest_item_is_the_one_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (places, here) = Places(seed);
@@ -19,7 +20,7 @@ public class BoxTreeTests
 
             var expected = Enumerable.Range(0, places.Length).MinBy(i => places[i].DistanceTo(here));
             return found == expected && distance == places[expected].DistanceTo(here);
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>The lower number is chosen among equals; testing all of them each time would make a star of lines quadratic.</summary>
     [Fact]
@@ -46,8 +47,8 @@ public class BoxTreeTests
         }
     }
 
-    [Fact]
-    public void The_boxes_around_a_box_are_those_that_looking_at_all_would_find() =>
+    [Property]
+    public Property The_boxes_around_a_box_are_those_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>
         {
             var random = new Random(seed);
@@ -61,7 +62,7 @@ public class BoxTreeTests
             tree.Containing(asked, found);
 
             return found.Order().SequenceEqual(Enumerable.Range(0, boxes.Length).Where(i => i != hidden && boxes[i].Contains(asked)));
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>The contours of a star all meet in its middle, so that most boxes contain most points; but few contain another contour completely.</summary>
     [Theory]
@@ -78,8 +79,8 @@ public class BoxTreeTests
         Assert.InRange(found.Count, wedges, 3 * wedges);
     }
 
-    [Fact]
-    public void Hidden_items_are_not_found_until_they_are_shown_again() =>
+    [Property]
+    public Property Hidden_items_are_not_found_until_they_are_shown_again() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (places, here) = Places(seed);
@@ -94,10 +95,10 @@ public class BoxTreeTests
             var found = tree.Nearest(here, Distance(places), double.PositiveInfinity, out _);
 
             return found == Enumerable.Range(0, places.Length).Where(i => i % 3 == 0).MinBy(i => places[i].DistanceTo(here));
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void Overlapping_finds_every_box_that_touches() =>
+    [Property]
+    public Property Overlapping_finds_every_box_that_touches() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (places, here) = Places(seed);
@@ -110,7 +111,7 @@ public class BoxTreeTests
             var expected = Enumerable.Range(0, boxes.Length).Where(i =>
                 boxes[i].MinX <= window.MaxX && boxes[i].MaxX >= window.MinX && boxes[i].MinY <= window.MaxY && boxes[i].MaxY >= window.MinY);
             return found.Order().SequenceEqual(expected);
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void Nothing_lies_nearer_than_the_limit()

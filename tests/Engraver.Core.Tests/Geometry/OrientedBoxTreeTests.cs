@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
@@ -8,8 +9,8 @@ public class OrientedBoxTreeTests
 {
     private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
 
-    [Fact]
-    public void The_nearest_line_is_the_one_that_looking_at_all_would_find() =>
+    [Property]
+    public Property The_nearest_line_is_the_one_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (lines, here) = Lines(seed);
@@ -18,10 +19,10 @@ public class OrientedBoxTreeTests
 
             var expected = Enumerable.Range(0, lines.Length).MinBy(i => lines[i].DistanceTo(here));
             return found == expected && distance == lines[expected].DistanceTo(here);
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void Any_line_that_is_near_enough_will_do() =>
+    [Property]
+    public Property Any_line_that_is_near_enough_will_do() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (lines, here) = Lines(seed);
@@ -29,11 +30,11 @@ public class OrientedBoxTreeTests
             var found = Tree(lines).Nearest(here, (item, place) => lines[item].DistanceTo(place), double.PositiveInfinity, 9.0, out var distance);
 
             return distance == lines[found].DistanceTo(here) && (distance <= 9.0 || distance == lines.Min(line => line.DistanceTo(here)));
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>Points of the path represent the path: a line near one of them must be found. Additional results are harmless.</summary>
-    [Fact]
-    public void Along_a_line_and_along_an_arc_is_every_line_that_comes_near() =>
+    [Property]
+    public Property Along_a_line_and_along_an_arc_is_every_line_that_comes_near() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (lines, here) = Lines(seed);
@@ -45,7 +46,7 @@ public class OrientedBoxTreeTests
                 Segment.FromArc(new ArcSegment(here, 1 + random.Next(60), Angle.FromDegrees(random.Next(360)), Angle.FromDegrees(random.Next(2) == 0 ? 1 + random.Next(360) : -1 - random.Next(360)))),
             ];
             return paths.All(path => Near(lines, path, 1.5).IsSubsetOf(Along(tree, path, 1.5)));
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void An_empty_tree_answers_none()

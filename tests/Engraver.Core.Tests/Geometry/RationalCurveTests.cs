@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
@@ -78,28 +79,28 @@ public class RationalCurveTests
         Assert.Equal((0.0, -1.0), (curve.EndTangent.X, curve.EndTangent.Y));
     }
 
-    [Fact]
-    public void Boxes_hold_every_place_and_touch_the_curve() => Prop.ForAll(FreeCurves.Splines, curve =>
+    [Property]
+    public Property Boxes_hold_every_place_and_touch_the_curve() => Prop.ForAll(FreeCurves.Splines, curve =>
     {
         var box = Bounds2D.Empty;
         for (var i = 0; i <= 4000; i++) box = box.Including(curve.PointAt(i / 4000.0));
         return curve.Bounds.Grown(1e-10).Contains(box) && box.Grown(1e-3).Contains(curve.Bounds);
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void Reversing_twice_is_the_identity_and_once_keeps_every_place() => Prop.ForAll(FreeCurves.Splines, curve =>
+    [Property]
+    public Property Reversing_twice_is_the_identity_and_once_keeps_every_place() => Prop.ForAll(FreeCurves.Splines, curve =>
     {
         var (turned, again) = (curve.Reversed(), curve.Reversed().Reversed());
         return turned.Start == curve.End && turned.PointAt(0.3).IsNear(curve.PointAt(0.7), 1e-10) && again.PointAt(0.3) == curve.PointAt(0.3) && again.Spans.Length == curve.Spans.Length;
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void The_distance_to_a_place_beside_the_curve_is_how_far_it_lies_beside() => Prop.ForAll(FreeCurves.Ellipses, curve =>
+    [Property]
+    public Property The_distance_to_a_place_beside_the_curve_is_how_far_it_lies_beside() => Prop.ForAll(FreeCurves.Ellipses, curve =>
     {
         var along = curve.TangentAt(0.37);
         var beside = curve.PointAt(0.37) + (new Vector2D(-along.Y, along.X) * 1e-4);
         return Math.Abs(curve.DistanceTo(beside) - 1e-4) < 1e-7 && curve.DistanceTo(curve.PointAt(0.37)) < 1e-9;
-    }).QuickCheckThrowOnFailure();
+    });
 
     /// <summary>Nine points of degree 2, as CAD programs write a circle of radius 10.</summary>
     internal static RationalCurve Circle()

@@ -5,13 +5,14 @@ using Engraver.Core.Sequencing;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
 public class SegmentReversalTests
 {
-    [Fact]
-    public void Reversing_twice_is_the_identity() =>
+    [Property]
+    public Property Reversing_twice_is_the_identity() =>
         Prop.ForAll(Arcs.Any, arc =>
         {
             var segment = Segment.FromArc(arc);
@@ -20,15 +21,15 @@ public class SegmentReversalTests
                 && twice.End == segment.End
                 && twice.Arc.Sweep == arc.Sweep
                 && Math.Abs(twice.Arc.Start.Degrees - arc.Start.Degrees) <= 1e-9;
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void A_reversed_arc_passes_the_same_points_the_other_way() =>
+    [Property]
+    public Property A_reversed_arc_passes_the_same_points_the_other_way() =>
         Prop.ForAll(Arcs.Any, arc =>
         {
             var (there, back) = (Segment.FromArc(arc), Segment.FromArc(arc).Reversed());
             return new[] { 0.0, 0.25, 0.5, 1.0 }.All(fraction => there.PointAt(fraction).IsNear(back.PointAt(1.0 - fraction), 1e-9 * (arc.Radius + 1000.0)));
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void An_arc_given_with_its_ends_keeps_them_exactly()
@@ -41,8 +42,8 @@ public class SegmentReversalTests
         Assert.Equal((end, start), (reversed.Start, reversed.End));
     }
 
-    [Fact]
-    public void A_table_row_cut_backwards_is_the_reversed_segment() =>
+    [Property]
+    public Property A_table_row_cut_backwards_is_the_reversed_segment() =>
         Prop.ForAll(Arcs.Any, arc =>
         {
             var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromArc(arc)).Build();
@@ -55,5 +56,5 @@ public class SegmentReversalTests
                 && cut.End == drawn.Start
                 && cut.Arc.Sweep == -arc.Sweep
                 && cut.PointAt(0.3).IsNear(drawn.PointAt(0.7), 1e-9 * (arc.Radius + 1000.0));
-        }).QuickCheckThrowOnFailure();
+        });
 }

@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry;
 
@@ -15,15 +16,15 @@ public class Transform2DTests
         from y in Gen.Choose(-500, 500)
         select new Transform2D(factor / 100.0, Angle.FromDegrees(turn / 2.0), mirrored, new Vector2D(x / 10.0, y / 10.0))).ToArbitrary();
 
-    [Fact]
-    public void An_arc_and_its_points_go_the_same_way() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
+    [Property]
+    public Property An_arc_and_its_points_go_the_same_way() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
     {
         var mapped = map.Apply(arc);
         return new[] { 0.0, 0.3, 1.0 }.All(at => map.Apply(arc.PointAt(at)).IsNear(mapped.PointAt(at), 1e-9 * (1.0 + arc.Radius) * 1000.0));
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void Lengths_and_directions_go_with_the_map() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
+    [Property]
+    public Property Lengths_and_directions_go_with_the_map() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
     {
         var (before, after) = (Segment.FromArc(arc), Segment.FromArc(map.Apply(arc)));
         var tangent = map.Apply(new Point2D(0, 0) + before.StartTangent) - map.Apply(new Point2D(0, 0));
@@ -31,15 +32,15 @@ public class Transform2DTests
             && (after.StartTangent - (tangent * (1.0 / map.Scale))).Length < 1e-9
             && after.Bounds is var box && Enumerable.Range(0, 33).Select(i => map.Apply(before.PointAt(i / 32.0))).All(place =>
                 place.X >= box.MinX - 1e-6 && place.X <= box.MaxX + 1e-6 && place.Y >= box.MinY - 1e-6 && place.Y <= box.MaxY + 1e-6);
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void A_curve_and_its_places_go_the_same_way_and_its_length_is_scaled() => Prop.ForAll(FreeCurves.Splines, Any, (curve, map) =>
+    [Property]
+    public Property A_curve_and_its_places_go_the_same_way_and_its_length_is_scaled() => Prop.ForAll(FreeCurves.Splines, Any, (curve, map) =>
     {
         var mapped = curve.Mapped(map);
         return Math.Abs(mapped.PlanLength - (map.Scale * curve.PlanLength)) <= 1e-9 * (1.0 + mapped.PlanLength)
             && Enumerable.Range(0, 17).All(i => mapped.PointAt(i / 16.0).IsNear(map.Apply(curve.PointAt(i / 16.0)), 1e-8));
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void A_mirror_turns_the_sense_round_and_a_whole_turn_stays_whole()

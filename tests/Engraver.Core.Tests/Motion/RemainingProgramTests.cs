@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Motion;
 
@@ -19,8 +20,8 @@ public class RemainingProgramTests
         from leadIn in Gen.Elements(0, 0, 10, 300, 5000)
         select (Random(strokes, seed), part / 1000.0, within / 1000.0, (double)leadIn)).ToArbitrary();
 
-    [Fact]
-    public void Cut_and_rest_are_the_whole_and_overlap_by_the_lead_in() => Prop.ForAll(Cases, input =>
+    [Property]
+    public Property Cut_and_rest_are_the_whole_and_overlap_by_the_lead_in() => Prop.ForAll(Cases, input =>
     {
         var (program, part, within, leadIn) = input;
         var place = PlaceAt(program, part, within);
@@ -34,10 +35,10 @@ public class RemainingProgramTests
         Assert.Equal(program.Strokes.Count, rest.StrokesBefore + rest.Program.Strokes.Count);
         AssertOnTheWhole(program, rest);
         return true;
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void A_rest_of_a_rest_is_the_rest() => Prop.ForAll(Cases, input =>
+    [Property]
+    public Property A_rest_of_a_rest_is_the_rest() => Prop.ForAll(Cases, input =>
     {
         var (program, part, within, _) = input;
         var place = PlaceAt(program, part, within);
@@ -45,10 +46,10 @@ public class RemainingProgramTests
         var again = RemainingProgram.From(once.Program, default, 0.0, Keep);
         Assert.Equal(once.Program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments), again.Program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments));
         return true;
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void A_position_on_the_path_is_found_again() => Prop.ForAll(Cases, input =>
+    [Property]
+    public Property A_position_on_the_path_is_found_again() => Prop.ForAll(Cases, input =>
     {
         var (program, part, within, _) = input;
         var place = PlaceAt(program, part, within);
@@ -57,7 +58,7 @@ public class RemainingProgramTests
         var found = ProgramPositionFinder.Find(program, place.Segments, at, 2.5);
         Assert.InRange(CutBefore(program, found), CutBefore(program, place) - 3.5, CutBefore(program, place) + 3.5);
         return true;
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void Nothing_is_left_behind_the_end_and_everything_before_the_start()

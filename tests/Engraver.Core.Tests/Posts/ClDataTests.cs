@@ -11,6 +11,7 @@ using Engraver.Core.Toolpaths;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Posts;
 
@@ -27,14 +28,14 @@ public class ClDataTests
         Point.SelectMany(centre => Angles(0, 359_999_999).SelectMany(start => Angles(1, 359_999_999).SelectMany(sweep => Gen.Elements(-1.0, 1.0).Select(sense => Arc(centre.X, centre.Y, start, sense * sweep))))),
         Point.SelectMany(centre => Gen.Elements(0.0, 90.0, 180.0, 33.3).SelectMany(start => Gen.Elements(-360.0, 360.0).Select(sweep => Arc(centre.X, centre.Y, start, sweep)))));
 
-    [Fact]
-    public void Every_path_reads_back_with_its_order_directions_ends_and_lengths() =>
+    [Property]
+    public Property Every_path_reads_back_with_its_order_directions_ends_and_lengths() =>
         Prop.ForAll(Arb.From(Gen.NonEmptyListOf(AnySegment)), segments =>
         {
             var found = CutParts(Read(ClDataText(segments))).ToList();
             Assert.Equal(segments.Count, found.Count);
             for (var i = 0; i < found.Count; i++) AssertSame(segments[i], found[i]);
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. The start of the tool is in the extended data, which the reader of CL data
     /// uses.</summary>

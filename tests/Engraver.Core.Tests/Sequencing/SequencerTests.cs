@@ -8,6 +8,7 @@ using Engraver.Core.Sequencing.Ordering;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Sequencing;
 
@@ -15,6 +16,7 @@ public class SequencerTests
 {
     private static readonly SequencingOptions Nearest = UsualOptions.Sequencing;
     private static readonly SequencingOptions Drawn = UsualOptions.Sequencing with { Order = StrokeOrder.Drawn };
+    private static readonly Arbitrary<int> s_seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
 
     [Theory]
     [InlineData(-1, 98)]
@@ -130,18 +132,14 @@ public class SequencerTests
         Assert.Equal(2, Sequence(new DrawingBuilder().Curve(CurveType.LwPolyline, halves), Nearest).Segments);
     }
 
-    [Theory]
-    [InlineData(StrokeOrder.Nearest)]
-    [InlineData(StrokeOrder.Drawn)]
-    public void What_is_inside_is_always_cut_before_what_is_around_it(StrokeOrder order) =>
-        Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
-        {
-            var strokes = Sequence(NestedSquares(seed), UsualOptions.Sequencing with { Order = order }).Strokes;
-            return strokes.All(stroke => stroke.Inside == -1 || stroke.Inside > stroke.Index) && strokes.Any(stroke => stroke.Inside >= 0);
-        }).QuickCheckThrowOnFailure();
+    [Property]
+    public Property What_is_inside_is_cut_before_what_is_around_it_in_the_nearest_order() => Prop.ForAll(s_seeds, seed => IsInsideFirst(seed, Nearest));
 
-    [Fact]
-    public void The_table_is_numbered_from_one_and_every_row_of_the_drawing_is_in_it_once() =>
+    [Property]
+    public Property What_is_inside_is_cut_before_what_is_around_it_in_the_drawn_order() => Prop.ForAll(s_seeds, seed => IsInsideFirst(seed, Drawn));
+
+    [Property]
+    public Property The_table_is_numbered_from_one_and_every_row_of_the_drawing_is_in_it_once() =>
         Prop.ForAll(LoosePolylines.Any, loose =>
         {
             var builder = new DrawingBuilder();
@@ -150,10 +148,10 @@ public class SequencerTests
             var rows = Enumerable.Range(0, table.Count).ToList();
             return rows.TrueForAll(row => table[row].SequenceNumber == row + 1)
                 && rows.Select(table.EntityIndexOf).Order().SequenceEqual(Enumerable.Range(0, loose.Shuffled.Length));
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void Every_contour_is_cut_whole_wherever_the_tool_starts() =>
+    [Property]
+    public Property Every_contour_is_cut_whole_wherever_the_tool_starts() =>
         Prop.ForAll(LoosePolylines.Any, Gen.Choose(-100, 500).Two().ToArbitrary(), (loose, tool) =>
         {
             var builder = new DrawingBuilder();
@@ -162,7 +160,7 @@ public class SequencerTests
             return result.Contours == loose.Polylines.Count
                 && Math.Abs(result.PathLength - loose.Shuffled.Sum(segment => segment.Length)) < 1e-6
                 && result.Strokes.All(IsJoined);
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>Many contours in a grid of cells, few in a tree of boxes, and inner contours first: compared one by one, no available start is nearer than the
     /// chosen one.</summary>
@@ -392,6 +390,12 @@ public class SequencerTests
     }
 
     private static Segment Half(double start) => Segment.FromArc(new ArcSegment(default, 10, Angle.FromDegrees(start), Angle.FromDegrees(180)));
+
+    private static bool IsInsideFirst(int seed, SequencingOptions options)
+    {
+        var strokes = Sequence(NestedSquares(seed), options).Strokes;
+        return strokes.All(stroke => stroke.Inside == -1 || stroke.Inside > stroke.Index) && strokes.Any(stroke => stroke.Inside >= 0);
+    }
 
     private static bool IsJoined(SequencedStroke stroke) => stroke.Moves.Zip(stroke.Moves.Skip(1), (a, b) => a.Segment.End.IsNear(b.Segment.Start, 0.01)).All(joined => joined);
 

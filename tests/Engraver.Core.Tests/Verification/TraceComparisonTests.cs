@@ -3,6 +3,7 @@ using Engraver.Core.Verification;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Verification;
 
@@ -105,23 +106,23 @@ public class TraceComparisonTests
     public void Cutting_where_nothing_is_drawn_deviates_without_limit() =>
         Assert.Equal(double.PositiveInfinity, Compare([], [new TraceSample(0, 1, 1, true)]).MaxDeviation);
 
-    [Fact]
-    public void The_deviation_is_the_one_that_looking_at_every_segment_would_find() =>
+    [Property]
+    public Property The_deviation_is_the_one_that_looking_at_every_segment_would_find() =>
         Prop.ForAll(LoosePolylines.Any, Gen.Choose(0, int.MaxValue).ToArbitrary(), (loose, seed) =>
         {
             var random = new Random(seed);
             var trace = Enumerable.Range(0, 50).Select(i => new TraceSample(i, random.NextDouble() * 400, random.NextDouble() * 300, true)).ToList();
             var expected = trace.Max(sample => loose.Shuffled.Min(segment => segment.DistanceTo(sample.Place)));
             return TraceComparison.Compare(loose.Shuffled, trace, Coarse).MaxDeviation == expected;
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void A_drawing_traced_along_its_contours_is_complete_in_any_order() =>
+    [Property(MaxTest = 10)]
+    public Property A_drawing_traced_along_its_contours_is_complete_in_any_order() =>
         Prop.ForAll(LoosePolylines.Any, loose =>
         {
             var verdict = Compare(loose.Shuffled, Trace([.. loose.Polylines]));
             return verdict.MaxDeviation < 1e-9 && verdict.MissingLength == 0.0;
-        }).Check(Config.QuickThrowOnFailure.WithMaxTest(10));
+        });
 
     private static TraceVerdict Compare(IReadOnlyList<Segment> drawing, IReadOnlyList<TraceSample> trace) =>
         TraceComparison.Compare(drawing, trace, UsualOptions.Trace);

@@ -4,6 +4,7 @@ using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Tests.Programs.Timing;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -117,22 +118,20 @@ public class SerialJobTests
         CutRecord.AssertSafeAfter(bench, cutAt, toolSeconds: 1.5, restSeconds: 1.5);
     }
 
-    [Fact]
-    public void Whatever_the_segments_a_fitted_path_neither_runs_dry_nor_has_to_be_held_back() => Prop.ForAll(LinkFeedLimitTests.Sequences, sequence =>
+    [Property(MaxTest = 25)]
+    public Property Whatever_the_segments_a_fitted_path_neither_runs_dry_nor_has_to_be_held_back() => Prop.ForAll(LinkFeedLimitTests.Sequences, async sequence =>
     {
         var program = new MotionProgram(MachineProfile.Default, default, [new MotionStroke(0, default, [sequence])]);
         var sent = new List<string>();
-        var result = CutAtOnce(LinkFeedFitting.Create(program, new SerialLine(19200), null).Program, sent);
+        var result = await CutAsync(LinkFeedFitting.Create(program, new SerialLine(19200), null).Program, sent);
         return (result.Outcome, result.SegmentsExecuted, result.Underruns) == (JobOutcome.Complete, program.SegmentCount, 0)
             && !sent.Any(line => line.StartsWith("VR 0", StringComparison.Ordinal));
-    }).Check(Config.QuickThrowOnFailure.WithMaxTest(25));
+    });
 
-    private static JobResult CutAtOnce(MotionProgram program, List<string> sent)
+    private static async Task<JobResult> CutAsync(MotionProgram program, List<string> sent)
     {
-        var bench = new SimulatedBench();
-        var result = Task.Run(() => bench.RunSerialAsync(19200, program, JobMode.Stream, sending: sent.Add)).GetAwaiter().GetResult();
-        bench.DisposeAsync().AsTask().GetAwaiter().GetResult();
-        return result;
+        await using var bench = new SimulatedBench();
+        return await bench.RunSerialAsync(19200, program, JobMode.Stream, sending: sent.Add);
     }
 
     private static (MotionProgram Program, int Far) Job(string place) => place switch

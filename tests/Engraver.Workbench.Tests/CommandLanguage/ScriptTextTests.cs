@@ -1,6 +1,8 @@
+using Engraver.TestKit;
 using Engraver.Workbench.CommandLanguage;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
 
@@ -16,14 +18,11 @@ public class ScriptTextTests
     public void Spaces_and_line_ends_are_Enter(string script, string inputs) =>
         Assert.Equal(inputs, string.Join('|', ScriptText.Read(script).Select(token => FormattableString.Invariant($"{token.Line}:{token.Text}"))));
 
-    [Fact]
-    public void What_is_written_is_read_back()
-    {
-        var inputs = Gen.Elements("OPEN", "", "my file.dxf", ";x", "@3,4", "'ID", "5<90").ListOf().ToArbitrary();
-        Prop.ForAll(inputs, typed =>
+    [Property]
+    public Property What_is_written_is_read_back() =>
+        Prop.ForAll(Gen.Elements("OPEN", "", "my file.dxf", ";x", "@3,4", "'ID", "5<90").ToArrays(), typed =>
         {
             var script = string.Concat(typed.Select(input => ScriptText.Write(input) + "\n"));
             return ScriptText.Read(script).Select(token => token.Text).SequenceEqual(typed);
-        }).QuickCheckThrowOnFailure();
-    }
+        });
 }

@@ -1,6 +1,8 @@
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -16,19 +18,19 @@ public class RandomCommandTests
         ["L", "0,0", "5,5", "@3,0", "U", "9,9", ""], ["L", "", "1,7"], ["PL", "0,0", "5,0", "A", "5,5", "CL"], ["PL", "0,0", "5,0", "U"], ["C", "5,5", "3"], ["A", "0,0", "1,1", "2,0"], ["REC", "0,0", "5,5"], ["POL", "5", "0,0", "I", "4"], ["EL", "0,0", "9,0", "2"], ["NEW"],
     ];
 
-    private static readonly Arbitrary<string[][]> s_sessions = Gen.Elements(s_edits).ArrayOf().Resize(12).ToArbitrary();
+    private static readonly Arbitrary<string[][]> s_sessions = Gen.Elements(s_edits).ToArrays(size: 12);
 
     private static readonly Arbitrary<string[]> s_noise = Gen.Frequency(
         (3, Gen.Elements(CommandCatalog.Built().All.Select(info => info.Name).Where(name => name is not ("CNCRUN" or "CNCSIM")).ToArray())),
         (3, Gen.Elements("", "ALL", "L", "P", "W", "C", "R", "A", "U", "H", "LA", "?", "Yes", "N", "Copy", "sim:", "A1", "0", "*", "\u001b")),
         (3, Gen.Elements("0,0", "5,5", "@3,4", "10<45", "@", "#1,2", "1e99,1e99", "-3,2", "0.5", "2", "-1", "1e300", "nan")),
-        (1, Gen.Elements("'ID", "'DIST", "'MOVE", "'", "'HELP", "tcp://", "serial://x", "no such file.dxf", ";", "\"", "_m", "%s{0}"))).ArrayOf().Resize(40).ToArbitrary();
+        (1, Gen.Elements("'ID", "'DIST", "'MOVE", "'", "'HELP", "tcp://", "serial://x", "no such file.dxf", ";", "\"", "_m", "%s{0}"))).ToArrays(size: 40);
 
-    [Fact]
-    public void Undo_brings_back_every_earlier_state_exactly_and_redo_does_it_again() => Prop.ForAll(s_sessions, edits => HoldsAsync(edits).GetAwaiter().GetResult()).QuickCheckThrowOnFailure();
+    [Property]
+    public Property Undo_brings_back_every_earlier_state_exactly_and_redo_does_it_again() => Prop.ForAll(s_sessions, HoldsAsync);
 
-    [Fact]
-    public void No_sequence_of_inputs_breaks_the_session() => Prop.ForAll(s_noise, inputs => SurvivesAsync(inputs).GetAwaiter().GetResult()).QuickCheckThrowOnFailure();
+    [Property]
+    public Property No_sequence_of_inputs_breaks_the_session() => Prop.ForAll(s_noise, SurvivesAsync);
 
     private static async Task<bool> HoldsAsync(string[][] edits)
     {

@@ -5,6 +5,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.App.Tests.Canvas.Flattening;
 
@@ -18,17 +19,17 @@ public class FlatnessTests
 
     private static readonly Gen<double> s_zooms = Gen.Choose(-3, 6).Select(decade => Math.Pow(10.0, decade));
 
-    [Fact]
-    public void Arcs_at_every_zoom() => Check(Arcs.Any.Generator.Select(arc => Segment.FromArc(arc)));
+    [Property]
+    public Property Arcs_at_every_zoom() => IsFlatAtEveryZoom(Arcs.Any.Generator.Select(arc => Segment.FromArc(arc)));
 
-    [Fact]
-    public void Circles_at_every_zoom() => Check(Arcs.Any.Generator.Select(arc => Segment.FromArc(arc with { Sweep = Angle.FullTurn })));
+    [Property]
+    public Property Circles_at_every_zoom() => IsFlatAtEveryZoom(Arcs.Any.Generator.Select(arc => Segment.FromArc(arc with { Sweep = Angle.FullTurn })));
 
-    [Fact]
-    public void Ellipses_at_every_zoom() => Check(FreeCurves.Ellipses.Generator.Select(Segment.FromCurve));
+    [Property]
+    public Property Ellipses_at_every_zoom() => IsFlatAtEveryZoom(FreeCurves.Ellipses.Generator.Select(Segment.FromCurve));
 
-    [Fact]
-    public void Splines_at_every_zoom() => Check(FreeCurves.Splines.Generator.Select(Segment.FromCurve));
+    [Property]
+    public Property Splines_at_every_zoom() => IsFlatAtEveryZoom(FreeCurves.Splines.Generator.Select(Segment.FromCurve));
 
     [Fact]
     public void A_circle_a_million_times_larger_than_the_screen_costs_a_few_chords()
@@ -52,10 +53,10 @@ public class FlatnessTests
         Assert.InRange(line.Length, 100.0, 140.0);
     }
 
-    private static void Check(Gen<Segment> segments)
+    private static Property IsFlatAtEveryZoom(Gen<Segment> segments)
     {
         var cases = from segment in segments from zoom in s_zooms from along in Gen.Choose(0, 1000) select (segment, zoom, along / 1000.0);
-        Prop.ForAll(cases.ToArbitrary(), sample => IsFlat(sample.segment, sample.zoom, sample.Item3)).QuickCheckThrowOnFailure();
+        return Prop.ForAll(cases.ToArbitrary(), sample => IsFlat(sample.segment, sample.zoom, sample.Item3));
     }
 
     /// <summary>The view is centred on the curve; all points of the curve near it are on chords, and the middles of all chords are on the curve.</summary>

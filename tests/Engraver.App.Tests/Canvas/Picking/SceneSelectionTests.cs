@@ -5,6 +5,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.App.Tests.Canvas.Picking;
 
@@ -14,18 +15,18 @@ public class SceneSelectionTests
     private static readonly CanvasScene s_scene = CanvasScene.From(s_drawing);
     private static readonly Gen<Point2D> s_places = from x in Gen.Choose(-5000, 105_000) from y in Gen.Choose(-5000, 105_000) select new Point2D(x / 1000.0, y / 1000.0);
 
-    [Fact]
-    public void The_nearest_entity_is_that_of_looking_at_all() =>
+    [Property]
+    public Property The_nearest_entity_is_that_of_looking_at_all() =>
         Prop.ForAll(s_places.ToArbitrary(), Gen.Elements(0.05, 1.0, 30.0).ToArbitrary(), (place, within) =>
-            ScenePick.Nearest(s_scene, place, within) == DrawingPick.Nearest(s_drawing, place, within)).QuickCheckThrowOnFailure();
+            ScenePick.Nearest(s_scene, place, within) == DrawingPick.Nearest(s_drawing, place, within));
 
-    [Fact]
-    public void Windows_and_crossings_are_those_of_looking_at_all() =>
+    [Property]
+    public Property Windows_and_crossings_are_those_of_looking_at_all() =>
         Prop.ForAll(s_places.ToArbitrary(), s_places.ToArbitrary(), (a, b) =>
         {
             var box = Bounds2D.FromCorners(a, b);
             return SceneSelection.Inside(s_scene, box).SequenceEqual(DrawingPick.Inside(s_drawing, box)) && SceneSelection.Touching(s_scene, box).SequenceEqual(DrawingPick.Touching(s_drawing, box));
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void A_window_takes_what_lies_inside_and_a_crossing_what_it_touches()

@@ -5,13 +5,14 @@ using Engraver.App.Canvas.Views;
 using Engraver.Core.Geometry;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.App.Tests.Canvas.Rasterising;
 
 public class BackdropTests
 {
-    [Fact]
-    public void Grid_steps_are_one_two_or_five_and_never_denser_than_ten_pixels() =>
+    [Property]
+    public Property Grid_steps_are_one_two_or_five_and_never_denser_than_ten_pixels() =>
         Prop.ForAll(Gen.Choose(-9000, 9000).ToArbitrary(), thousandths =>
         {
             var unitsPerPixel = Math.Pow(10.0, thousandths / 1000.0);
@@ -19,7 +20,7 @@ public class BackdropTests
             var mantissa = step.Minor / Math.Pow(10.0, Math.Floor(Math.Log10(step.Minor * 1.0000001)));
             var pixels = step.Minor / unitsPerPixel;
             return pixels >= GridStep.MinPixels * 0.999999 && pixels <= GridStep.MinPixels * 2.6 && new[] { 1.0, 2.0, 5.0 }.Any(digit => Math.Abs(mantissa - digit) < 1e-6);
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void Axes_grid_and_background_have_their_own_colours()

@@ -4,6 +4,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Dxf.Blocks;
 
@@ -15,8 +16,8 @@ public class BlockTests
         (0, "ARC"), (8, "CUT"), (10, 11), (20, 6), (40, 5), (50, 270), (51, 90),
     ];
 
-    [Fact]
-    public void Exploding_a_nested_insert_gives_what_reading_and_transforming_gives() =>
+    [Property]
+    public Property Exploding_a_nested_insert_gives_what_reading_and_transforming_gives() =>
         Prop.ForAll(Inserts(), Inserts(), (inner, outer) =>
         {
             var nested = Drawing(
@@ -33,7 +34,7 @@ public class BlockTests
                     Assert.True(expected.IsNear(segment.PointAt(fraction), 1e-6), $"{expected} {segment.PointAt(fraction)}");
                 }
             }
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void An_array_is_turned_by_the_rotation_and_not_stretched_by_the_scale()

@@ -3,6 +3,7 @@ using Engraver.Core.Geometry.Constructions;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry.Constructions;
 
@@ -52,18 +53,18 @@ public class ArcConstructionTests
         Assert.Null(ArcConstruction.FromEndsDirection(a, b, default));
     }
 
-    [Fact]
-    public void Three_points_of_any_arc_are_on_the_arc_through_them_in_their_order() =>
+    [Property]
+    public Property Three_points_of_any_arc_are_on_the_arc_through_them_in_their_order() =>
         Prop.ForAll(Arcs.Any, Part(), (arc, part) =>
         {
             var (start, second, end) = (arc.StartPoint, arc.PointAt(part), arc.EndPoint);
             if (ArcConstruction.ThroughPoints(start, second, end) is not { } made) return Math.Abs(arc.Sweep.Degrees) < 0.01 || Math.Abs(arc.Sweep.Degrees) > 359.99 || arc.Radius < 0.01;
             var size = made.Radius + Math.Abs(start.X) + Math.Abs(start.Y);
             return made.StartPoint.IsNear(start, Near * size) && made.EndPoint.IsNear(end, Near * size) && made.DistanceTo(second) <= Near * size;
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void An_arc_of_ends_and_an_angle_or_a_direction_is_the_arc_they_were_taken_from() =>
+    [Property]
+    public Property An_arc_of_ends_and_an_angle_or_a_direction_is_the_arc_they_were_taken_from() =>
         Prop.ForAll(Arcs.Any, arc =>
         {
             if (Math.Abs(arc.Sweep.Degrees) is < 1.0 or > 350.0) return true;
@@ -71,10 +72,10 @@ public class ArcConstructionTests
             return IsNear(ArcConstruction.FromEndsSweep(arc.StartPoint, arc.EndPoint, arc.Sweep), arc, 1e-8 * size / arc.Radius)
                 && IsNear(ArcConstruction.FromEndsDirection(arc.StartPoint, arc.EndPoint, arc.TangentAt(0.0) * 5.0), arc, 1e-8 * size / arc.Radius)
                 && IsNear(ArcConstruction.FromCentreSweep(arc.StartPoint, arc.Centre, arc.Sweep), arc, 1e-8 * size / arc.Radius);
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void An_arc_about_a_centre_begins_where_it_is_told_and_its_chord_is_as_long_as_told() =>
+    [Property]
+    public Property An_arc_about_a_centre_begins_where_it_is_told_and_its_chord_is_as_long_as_told() =>
         Prop.ForAll(Arcs.CounterClockwise, Part(), (arc, part) =>
         {
             var start = arc.StartPoint;
@@ -84,7 +85,7 @@ public class ArcConstructionTests
             var near = Near * (radius + Math.Abs(start.X) + Math.Abs(start.Y));
             return Math.Abs(shorter.EndPoint.DistanceTo(start) - chord) <= near && Math.Abs(longer.EndPoint.DistanceTo(start) - chord) <= near
                 && shorter.StartPoint.IsNear(start, near) && shorter.Sweep.Degrees <= 180.0 && longer.Sweep.Degrees >= 180.0;
-        }).QuickCheckThrowOnFailure();
+        });
 
     private static Arbitrary<double> Part() => Gen.Choose(1, 99).Select(percent => percent / 100.0).ToArbitrary();
 

@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Geometry.Constructions;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Geometry.Constructions;
 
@@ -10,13 +11,13 @@ public class ShapeConstructionTests
 {
     private const double Near = 1e-9;
 
-    [Fact]
-    public void A_circle_through_three_points_is_as_far_from_each_of_them() =>
+    [Property]
+    public Property A_circle_through_three_points_is_as_far_from_each_of_them() =>
         Prop.ForAll(Places(), Places(), Places(), (a, b, c) =>
         {
             if (CircleConstruction.ThroughPoints(a, b, c) is not { } circle) return Math.Abs((b - a).Cross(c - a)) < 1e-6 * (b - a).Length * (c - a).Length || b.DistanceTo(c) < 1e-6;
             return new[] { a, b, c }.All(place => Math.Abs(circle.Centre.DistanceTo(place) - circle.Radius) <= Near * (circle.Radius + 1000.0)) && circle.IsFullTurn;
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void A_circle_on_a_diameter()
@@ -46,8 +47,8 @@ public class ShapeConstructionTests
         Assert.Equal(new Point2D(0, 4), CircleConstruction.TangentTo((line, new Point2D(1, 5)), (round, new Point2D(0, 3)), 1)!.Value.Centre);
     }
 
-    [Fact]
-    public void A_circle_that_touches_two_circles_is_at_its_radius_from_both() =>
+    [Property]
+    public Property A_circle_that_touches_two_circles_is_at_its_radius_from_both() =>
         Prop.ForAll(Places(), Places(), Gen.Choose(1, 500).Select(tenths => tenths / 10.0).ToArbitrary(), (one, other, radius) =>
         {
             var (a, b) = (new ArcSegment(one, 20, Angle.Zero, Angle.FullTurn), new ArcSegment(other, 35, Angle.Zero, Angle.FullTurn));
@@ -59,11 +60,11 @@ public class ShapeConstructionTests
                 var apart = circle.Centre.DistanceTo(given.Centre);
                 return Math.Min(Math.Abs(apart - given.Radius - radius), Math.Abs(apart - Math.Abs(given.Radius - radius))) <= 1e-6;
             }
-        }).QuickCheckThrowOnFailure();
+        });
 
     /// <summary>x / a and y / b of every point of an ellipse make 1, in the directions of its axes.</summary>
-    [Fact]
-    public void Every_point_of_an_ellipse_fulfils_its_equation() =>
+    [Property]
+    public Property Every_point_of_an_ellipse_fulfils_its_equation() =>
         Prop.ForAll(Places(), Places(), Gen.Choose(1, 300).Select(tenths => tenths / 10.0).ToArbitrary(), (centre, toEnd, second) =>
         {
             var first = toEnd - Point2D.Origin;
@@ -74,7 +75,7 @@ public class ShapeConstructionTests
                 var (x, y) = (way.Dot(first) / first.LengthSquared, first.Cross(way) / (first.Length * second));
                 return Math.Abs((x * x) + (y * y) - 1.0) <= 1e-6;
             });
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void The_parameter_of_an_angle_is_that_of_the_point_seen_there()
@@ -88,8 +89,8 @@ public class ShapeConstructionTests
         Assert.Null(EllipseConstruction.FromAxes(default, new Vector2D(1, 0), 1e-7, Angle.Zero, Angle.FullTurn));
     }
 
-    [Fact]
-    public void The_sides_of_a_regular_polygon_are_equally_long_and_stand_equally_far_from_the_centre() =>
+    [Property]
+    public Property The_sides_of_a_regular_polygon_are_equally_long_and_stand_equally_far_from_the_centre() =>
         Prop.ForAll(Gen.Choose(3, 40).ToArbitrary(), Places(), Places(), (sides, centre, place) =>
         {
             var radius = centre.DistanceTo(place);
@@ -99,7 +100,7 @@ public class ShapeConstructionTests
             return within[0] == place && within.All(corner => Math.Abs(corner.DistanceTo(centre) - radius) <= near)
                 && IsRegular(within, 2.0 * radius * Math.Sin(Math.PI / sides), near) && IsRegular(about, 2.0 * radius * Math.Tan(Math.PI / sides), near)
                 && PolygonConstruction.Outline(about).Min(side => side.DistanceTo(place)) <= near;
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void A_polygon_on_an_edge_has_it_as_its_first_side_and_lies_left_of_it()

@@ -7,6 +7,7 @@ using Engraver.Core.Sequencing.ArcRecovery;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Sequencing.ArcRecovery;
 
@@ -25,8 +26,8 @@ public class ArcRecoveryTests
         let arc = new ArcSegment(new Point2D(x, y), radius / 10.0, Angle.FromDegrees(start), Angle.FromDegrees(sign * sweep))
         select (arc, Math.Max(5, finer * (int)Math.Ceiling(arc.Sweep.Abs().Radians / (2.0 * Math.Acos(1.0 - (0.8 * MaxError / arc.Radius))))))).ToArbitrary();
 
-    [Fact]
-    public void A_flattened_arc_comes_back_with_its_radius_and_its_ends() => Prop.ForAll(FlattenedArcs, flat =>
+    [Property]
+    public Property A_flattened_arc_comes_back_with_its_radius_and_its_ends() => Prop.ForAll(FlattenedArcs, flat =>
     {
         var points = Flatten(flat.Arc, flat.Chords);
         if (Rise(flat.Arc) < 3.0 * MaxError) return true;
@@ -35,7 +36,7 @@ public class ArcRecoveryTests
         var arc = table[0].ToSegment();
         return arc.Kind == SegmentKind.Arc && arc.Start == points[0] && arc.End == points[^1]
             && Math.Abs(arc.Arc.Radius - flat.Arc.Radius) <= MaxError && Math.Abs((arc.Arc.Sweep - flat.Arc.Sweep).Degrees) < 1.0;
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void A_flattened_circle_becomes_a_circle_in_its_own_direction()
@@ -113,15 +114,15 @@ public class ArcRecoveryTests
 
     /// <summary>Random waves: lines and result are always within the error of each other, in both directions, by sampling that is independent of circle
     /// formulas.</summary>
-    [Fact]
-    public void Nothing_moves_farther_than_the_error() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
+    [Property]
+    public Property Nothing_moves_farther_than_the_error() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
         var before = Analysed(Polyline(Wave(new System.Random(seed))));
         var result = Recover(before);
         var (drawn, cut) = (before.ToSegments(), result.Table.ToSegments());
         var worst = Math.Max(Farthest(drawn, cut), Farthest(cut, drawn));
         return (worst <= MaxError * 1.000001 && cut[0].Start == drawn[0].Start && cut[^1].End == drawn[^1].End).Label($"{worst} with {result.Arcs.Count} arcs");
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Theory]
     [InlineData(3)]
@@ -134,12 +135,12 @@ public class ArcRecoveryTests
         Assert.InRange(Recover(Analysed(Polyline(rounded))).Table.Count, 1, 12);
     }
 
-    [Fact]
-    public void Doing_it_twice_changes_nothing() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
+    [Property]
+    public Property Doing_it_twice_changes_nothing() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
         var once = Recover(Analysed(Polyline(Wave(new System.Random(seed))))).Table;
         return ReferenceEquals(once, Recover(once).Table);
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void Waves_do_give_arcs() => Assert.InRange(Enumerable.Range(1, 20).Sum(seed => Recover(Analysed(Polyline(Wave(new System.Random(seed))))).Arcs.Count), 40, 2000);
@@ -157,8 +158,8 @@ public class ArcRecoveryTests
 
     /// <summary>Segments that cannot be part of an arc are not joined to contours; the result must be the same. Boxes and loose lines around the wave, some of
     /// them touching it.</summary>
-    [Fact]
-    public void What_lies_around_changes_no_arc() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
+    [Property(MaxTest = 20)]
+    public Property What_lies_around_changes_no_arc() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
         var random = new System.Random(seed);
         var wave = Wave(random);
@@ -173,7 +174,7 @@ public class ArcRecoveryTests
 
         Assert.Equal(alone.Arcs.Select(note => (note.Lines, note.Deviation)), among.Arcs.Select(note => (note.Lines, note.Deviation)));
         Assert.Equal(alone.Arcs.Count, Recover(Analysed(Loose([.. lines, .. around], random))).Arcs.Count, tolerance: 3);
-    }).Check(Config.QuickThrowOnFailure.WithMaxTest(20));
+    });
 
     [Fact]
     public void A_thousand_loose_ends_in_one_place_come_to_an_end()

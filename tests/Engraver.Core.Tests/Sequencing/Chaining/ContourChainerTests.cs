@@ -3,6 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Sequencing.Chaining;
 
@@ -10,31 +11,31 @@ public class ContourChainerTests
 {
     private const double Tolerance = 0.01;
 
-    [Fact]
-    public void Loose_polylines_come_back_whole_however_they_are_shuffled_and_turned() =>
+    [Property]
+    public Property Loose_polylines_come_back_whole_however_they_are_shuffled_and_turned() =>
         Prop.ForAll(LoosePolylines.Any, loose =>
         {
             var result = ContourChainer.Chain(loose.Shuffled, Tolerance);
             return Fingerprint(loose.Polylines) == Fingerprint(result, loose.Shuffled);
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void Every_segment_lands_in_exactly_one_contour_and_each_follows_the_one_before() =>
+    [Property]
+    public Property Every_segment_lands_in_exactly_one_contour_and_each_follows_the_one_before() =>
         Prop.ForAll(LoosePolylines.Any, loose =>
         {
             var contours = ContourChainer.Chain(loose.Shuffled, Tolerance).Contours;
             var rows = contours.SelectMany(contour => contour.Pieces.ToArray()).Select(piece => piece.Row).Order();
             return rows.SequenceEqual(Enumerable.Range(0, loose.Shuffled.Length)) && contours.All(contour => IsJoined(contour, loose.Shuffled));
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void A_contour_runs_in_the_direction_of_its_lowest_row_and_closed_ones_begin_there() =>
+    [Property]
+    public Property A_contour_runs_in_the_direction_of_its_lowest_row_and_closed_ones_begin_there() =>
         Prop.ForAll(LoosePolylines.Any, loose => ContourChainer.Chain(loose.Shuffled, Tolerance).Contours.All(contour =>
         {
             var pieces = contour.Pieces.ToArray();
             var lowest = pieces.MinBy(piece => piece.Row);
             return !lowest.Reversed && (!contour.Closed || pieces[0] == lowest);
-        })).QuickCheckThrowOnFailure();
+        }));
 
     [Theory]
     [InlineData(-1e-9)]
@@ -201,8 +202,8 @@ public class ContourChainerTests
     }
 
     /// <summary>Hundreds of ends within a few tolerances of each other, compared with the plain rule: every end is tested.</summary>
-    [Fact]
-    public void In_a_crowd_the_same_continuation_is_chosen_as_by_looking_at_every_end() =>
+    [Property]
+    public Property In_a_crowd_the_same_continuation_is_chosen_as_by_looking_at_every_end() =>
         Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
         {
             var random = new Random(seed);
@@ -216,7 +217,7 @@ public class ContourChainerTests
             double Near() => Snapped((random.NextDouble() - 0.5) * spread);
             double Far() => Snapped(random.Next(3) * longest * random.NextDouble());
             double Snapped(double value) => grid > 0.0 ? Math.Round(value / grid) * grid : value;
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void A_lone_segment_without_length_is_an_open_contour() =>

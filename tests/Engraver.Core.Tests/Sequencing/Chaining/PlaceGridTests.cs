@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing.Chaining;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Core.Tests.Sequencing.Chaining;
 
@@ -10,8 +11,8 @@ public class PlaceGridTests
     private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
 
     /// <summary>While points are hidden one after the other until few are left, and some are shown again.</summary>
-    [Fact]
-    public void The_nearest_shown_place_is_the_one_that_looking_at_all_would_find() =>
+    [Property]
+    public Property The_nearest_shown_place_is_the_one_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>
         {
             var random = new Random(seed);
@@ -43,7 +44,7 @@ public class PlaceGridTests
                 grid.Hide(place);
                 shown.Remove(place);
             }
-        }).QuickCheckThrowOnFailure();
+        });
 
     [Fact]
     public void Of_equally_near_places_the_lower_number_is_found()

@@ -4,6 +4,7 @@ using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Galil.Tests.Programs.Generation;
 
@@ -40,8 +41,8 @@ public class ArcPredictionTests
         Assert.Equal(2.0, pushedUp.DeviationFrom(wanted), 9);
     }
 
-    [Fact]
-    public void The_deviation_is_never_less_than_a_sampled_one() =>
+    [Property]
+    public Property The_deviation_is_never_less_than_a_sampled_one() =>
         Prop.ForAll(Gen.Choose(10, 2000).Four().ToArbitrary(), t =>
         {
             var (radius, theta, sweep, shift) = t;
@@ -50,25 +51,25 @@ public class ArcPredictionTests
             var path = new ArcSegment(cut.Centre, cut.Radius, Angle.FromDegrees(cut.ThetaDegrees), Angle.FromDegrees(cut.DeltaDegrees));
             var sampled = Enumerable.Range(0, 501).Max(i => Math.Abs(path.PointAt(i / 500.0).DistanceTo(Point2D.Origin) - radius));
             return cut.DeviationFrom(wanted) >= sampled - 1e-6 && cut.DeviationFrom(wanted) <= sampled + 0.05 + (radius * 1e-4);
-        }).QuickCheckThrowOnFailure();
+        });
 
-    [Fact]
-    public void Every_arc_is_followed_within_a_count_and_ends_within_a_count() =>
+    [Property(MaxTest = 400)]
+    public Property Every_arc_is_followed_within_a_count_and_ends_within_a_count() =>
         Prop.ForAll(Drawn().ToArbitrary(), drawn =>
         {
             var (arc, profile) = drawn;
             var off = WorstOff(Toolpaths.OfStroke(Segment.FromArc(arc)), profile);
             return (off.Path <= OneCount && off.End <= OneCount).Label($"{arc}: path {off.Path}, end {off.End}");
-        }).Check(Config.QuickThrowOnFailure.WithMaxTest(400));
+        });
 
-    [Fact]
-    public void Fifty_arcs_after_each_other_do_not_add_up_their_errors() =>
+    [Property(MaxTest = 60)]
+    public Property Fifty_arcs_after_each_other_do_not_add_up_their_errors() =>
         Prop.ForAll(Chain().ToArbitrary(), chain =>
         {
             var (arcs, profile) = chain;
             var off = WorstOff(Toolpaths.OfStroke([.. arcs.Select(Segment.FromArc)]), profile);
             return (off.Path <= OneCount && off.End <= OneCount).Label($"{arcs.Count} arcs: path {off.Path}, end {off.End}");
-        }).Check(Config.QuickThrowOnFailure.WithMaxTest(60));
+        });
 
     /// <summary>Largest distance of the replayed path from the drawing (less the tolerance of chords and the rounding to whole counts at stops), and of every
     /// stroke's end from its drawn end (counts).</summary>

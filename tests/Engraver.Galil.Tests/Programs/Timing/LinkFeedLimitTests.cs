@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Timing;
 using FsCheck;
 using FsCheck.Fluent;
+using FsCheck.Xunit;
 
 namespace Engraver.Galil.Tests.Programs.Timing;
 
@@ -19,19 +20,19 @@ public class LinkFeedLimitTests
 
     private static Arbitrary<SerialLine> Lines => Gen.Elements(SerialLine.Rates.Select(rate => new SerialLine(rate))).ToArbitrary();
 
-    [Fact]
-    public void The_feed_is_never_raised_and_what_is_fit_stays_as_it_is() => Prop.ForAll(Sequences, Lines, (sequence, line) =>
+    [Property]
+    public Property The_feed_is_never_raised_and_what_is_fit_stays_as_it_is() => Prop.ForAll(Sequences, Lines, (sequence, line) =>
     {
         var speed = LinkFeedLimit.FastestSpeed(sequence, line, Acceleration);
         return speed >= 2 && speed % 2 == 0 && speed <= sequence.Speed && LinkFeedLimit.FastestSpeed(sequence with { Speed = speed }, line, Acceleration) == speed;
-    }).QuickCheckThrowOnFailure();
+    });
 
-    [Fact]
-    public void A_faster_line_never_carries_less() => Prop.ForAll(Sequences, sequence =>
+    [Property]
+    public Property A_faster_line_never_carries_less() => Prop.ForAll(Sequences, sequence =>
     {
         var speeds = SerialLine.Rates.Select(rate => LinkFeedLimit.FastestSpeed(sequence, new SerialLine(rate), Acceleration)).ToList();
         return speeds.SequenceEqual(speeds.Order());
-    }).QuickCheckThrowOnFailure();
+    });
 
     [Fact]
     public void What_the_buffer_holds_is_cut_at_full_feed_over_any_line() =>
