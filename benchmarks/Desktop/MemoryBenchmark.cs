@@ -37,6 +37,9 @@ internal static class MemoryBenchmark
             case BenchmarkName.Weight:
                 new WeightBenchmark(session, window, desktop, output).Run(options.File!);
                 break;
+            case BenchmarkName.Text:
+                new TextBenchmark(output).Run();
+                break;
             default:
                 new StopBenchmark(session, window, desktop, options.File, output).Run();
                 break;

@@ -28,5 +28,8 @@ internal static class BenchmarkName
     /// <summary>Cost of a large drawing: processor time and memory of opening, planning, moving, closing and opening again.</summary>
     public const string Weight = "weight";
 
-    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames];
+    /// <summary>Layout and drawing of a page of text.</summary>
+    public const string Text = "text";
+
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Text, Idle, StopOnDisplay, Frames];
 }

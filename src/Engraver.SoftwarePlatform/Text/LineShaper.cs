@@ -5,7 +5,7 @@ using Avalonia.Media.TextFormatting.Unicode;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Shapes one piece of text in one font; glyphs are in the order of the text.</summary>
+/// <summary>Shapes text from left to right in one font, one glyph for each character: character map, advances, pair kerning and single accents.</summary>
 internal sealed class LineShaper(TextShaperOptions options)
 {
     private const int SpacesOfTab = 4;
@@ -23,13 +23,16 @@ internal sealed class LineShaper(TextShaperOptions options)
     /// <summary>Index of the glyph of <see cref="_previous"/>; marks may be between.</summary>
     private int _previousPlace;
 
-    public IReadOnlyList<GlyphInfo> Glyphs => _glyphs;
+    /// <summary>In the order of the text.</summary>
+    public List<GlyphInfo> Glyphs => _glyphs;
 
-    public void Shape(ReadOnlySpan<char> text)
+    /// <summary>Adds the glyphs of a part of the text.</summary>
+    public void Shape(ReadOnlySpan<char> text, int start, int length)
     {
-        for (var index = 0; index < text.Length;)
+        _previous = -1;
+        for (var index = start; index < start + length;)
         {
-            var codepoint = Codepoint.ReadAt(text, index, out var length);
+            var codepoint = Codepoint.ReadAt(text, index, out var units);
             if (codepoint.Value == '\t')
                 AddTab(index);
             else if (codepoint.IsBreakChar || codepoint.IsDefaultIgnorable)
@@ -38,10 +41,11 @@ internal sealed class LineShaper(TextShaperOptions options)
                 AddMark(codepoint);
             else
                 AddLetter(codepoint, index);
-            index += length;
+            index += units;
         }
         foreach (var (mark, letter) in _marks)
             Place(mark, letter);
+        _marks.Clear();
     }
 
     private void AddTab(int cluster)
@@ -68,14 +72,13 @@ internal sealed class LineShaper(TextShaperOptions options)
         _glyphs.Add(new GlyphInfo(Glyph((int)codepoint.Value), _glyphs[^1].GlyphCluster, 0));
     }
 
-    /// <summary>Positions a mark after all advances are known: relative to the end of its letter or, in right-to-left text, to its beginning.</summary>
+    /// <summary>Positions a mark relative to the end of its letter, after all advances are known.</summary>
     private void Place(int mark, int letter)
     {
         var (info, under) = (_glyphs[mark], _glyphs[letter]);
         if (_placement?.Find(under.GlyphIndex, info.GlyphIndex) is not { } place)
             return;
-        var back = (options.BidiLevel & 1) != 0 ? 0 : under.GlyphAdvance;
-        _glyphs[mark] = new GlyphInfo(info.GlyphIndex, info.GlyphCluster, 0, new Vector(place.X * _scale - back, -place.Y * _scale));
+        _glyphs[mark] = new GlyphInfo(info.GlyphIndex, info.GlyphCluster, 0, new Vector(place.X * _scale - under.GlyphAdvance, -place.Y * _scale));
     }
 
     private void AddLetter(Codepoint codepoint, int cluster)
@@ -88,16 +91,14 @@ internal sealed class LineShaper(TextShaperOptions options)
         _previousPlace = _glyphs.Count - 1;
     }
 
-    /// <summary>Changes the advance of the left one of the last two letters: in right-to-left text, the later one.</summary>
+    /// <summary>Changes the advance of the letter before the last one.</summary>
     private void Kern(int glyph)
     {
-        var isRightToLeft = (options.BidiLevel & 1) != 0;
-        var units = isRightToLeft ? _kerning?.Between(glyph, _previous) : _kerning?.Between(_previous, glyph);
+        var units = _kerning?.Between(_previous, glyph);
         if (units is null or 0)
             return;
-        var place = isRightToLeft ? _glyphs.Count - 1 : _previousPlace;
-        var left = _glyphs[place];
-        _glyphs[place] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units.Value * _scale, left.GlyphOffset);
+        var left = _glyphs[_previousPlace];
+        _glyphs[_previousPlace] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units.Value * _scale, left.GlyphOffset);
     }
 
     private ushort Glyph(int character) => _typeface.CharacterToGlyphMap[character];
