@@ -21,12 +21,13 @@ public sealed class SoftwareTextShaper : ITextShaperImpl
 
     private static List<GlyphInfo> Shape(ReadOnlyMemory<char> text, in TextShaperOptions options, bool isRightToLeft)
     {
-        var line = new LineShaper(options);
-        if (options.GlyphTypeface.PlatformTypeface is not SoftwareTypeface typeface || !isRightToLeft && ScriptRun.IsSimple(text.Span))
+        var line = new LineShaper(options, text.Length);
+        if (!isRightToLeft && ScriptRun.IsSimple(text.Span))
         {
             line.Shape(text.Span, 0, text.Length);
             return line.Glyphs;
         }
+        var typeface = (SoftwareTypeface)options.GlyphTypeface.PlatformTypeface;
         foreach (var part in ScriptRun.Divide(text.Span, isRightToLeft))
         {
             if (part.IsComplex && typeface.HarfBuzz is { } harfBuzz)

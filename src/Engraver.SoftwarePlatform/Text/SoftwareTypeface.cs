@@ -37,6 +37,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         _harfBuzz = new Lazy<HarfBuzzFont?>(() => HarfBuzzFont.TryCreate(this));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
+        Characters = new CharacterTable(GlyphTypeface);
         Validate(GlyphTypeface, file);
         FamilyName = GlyphTypeface.FamilyName;
         Weight = GlyphTypeface.Weight;
@@ -60,6 +61,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     public int UnitsPerEm { get; }
 
     public GlyphMasks Masks { get; }
+
+    public CharacterTable Characters { get; }
 
     public PairKerning Kerning => _kerning.Value;
 

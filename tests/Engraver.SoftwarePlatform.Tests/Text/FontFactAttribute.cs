@@ -1,6 +1,3 @@
-using Avalonia.Media;
-using Engraver.SoftwarePlatform.Text;
-
 namespace Engraver.SoftwarePlatform.Tests.Text;
 
 /// <summary>A test that needs installed fonts of these families.</summary>
@@ -12,19 +9,4 @@ public sealed class FontFactAttribute : FactAttribute
         var missing = families.Where(family => InstalledFont.TryFind(family) is null).ToList();
         if (missing.Count > 0) Skip = $"Fonts not installed: {string.Join(", ", missing)} (tests/prerequisites names the packages).";
     }
-}
-
-/// <summary>Faces of the installed fonts, read without an application.</summary>
-internal static class InstalledFont
-{
-    public const string Arabic = "DejaVu Sans";
-    public const string Devanagari = "Lohit Devanagari";
-    public const string Bengali = "Lohit Bengali";
-    public const string Tamil = "Lohit Tamil";
-    public const string Thai = "Garuda";
-
-    private static readonly SoftwareFontManager s_manager = new();
-
-    public static SoftwareTypeface? TryFind(string family) =>
-        s_manager.TryCreateGlyphTypeface(family, FontStyle.Normal, FontWeight.Normal, FontStretch.Normal, out var typeface) ? (SoftwareTypeface)typeface : null;
 }
