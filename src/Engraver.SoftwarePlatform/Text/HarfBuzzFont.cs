@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Media.Fonts;
@@ -10,6 +11,7 @@ namespace Engraver.SoftwarePlatform.Text;
 
 /// <summary>One face in HarfBuzz, for scripts whose letters join, change their order or carry stacked marks. Only this class uses the library, so that it is
 /// loaded with the first such text.</summary>
+[SuppressMessage("Design", "CA1001", Justification = "Typefaces are kept until the program ends.")]
 internal sealed class HarfBuzzFont
 {
     private readonly Font _font;
