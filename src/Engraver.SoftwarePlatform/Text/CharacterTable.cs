@@ -3,7 +3,7 @@ using Avalonia.Media.TextFormatting.Unicode;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Keeps what a simple text needs of each character of a face. Threads may shape at once: entries are equal whoever makes them.</summary>
+/// <summary>Keeps what a simple text needs of each character of a face. Several threads may shape at once: each makes equal entries.</summary>
 internal sealed class CharacterTable(GlyphTypeface typeface)
 {
     private const int CharactersOfPage = 128;

@@ -30,8 +30,8 @@ internal readonly record struct ScriptRun(int Start, int Length, bool IsComplex)
         return !HasStackedMarks(text);
     }
 
-    /// <summary>Divides a text into parts that are simple and parts of one complex script. Spaces and punctuation belong to what is before them. Text from right
-    /// to left is complex: its brackets are mirrored.</summary>
+    /// <summary>Divides a text into parts that are simple and parts of one complex script. Spaces and punctuation belong to what is before them. Text from
+    /// right to left is complex: its brackets are mirrored.</summary>
     public static List<ScriptRun> Divide(ReadOnlySpan<char> text, bool isRightToLeft)
     {
         var everyScript = isRightToLeft || HasStackedMarks(text);

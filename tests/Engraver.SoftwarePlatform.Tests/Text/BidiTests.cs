@@ -7,8 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.SoftwarePlatform.Tests.Text;
 
-/// <summary>The order of mixed text, which Avalonia computes, with the shaper of this platform: cases of BidiCharacterTest.txt of the Unicode Character Database
-/// (https://www.unicode.org/Public/15.0.0/ucd/BidiCharacterTest.txt).</summary>
+/// <summary>The order of mixed text, which Avalonia computes, with the shaper of this platform: cases of BidiCharacterTest.txt of the Unicode Character
+/// Database (https://www.unicode.org/Public/15.0.0/ucd/BidiCharacterTest.txt).</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class BidiTests(DesktopFixture fixture)
 {
@@ -35,8 +35,8 @@ public sealed class BidiTests(DesktopFixture fixture)
         return Task.CompletedTask;
     });
 
-    /// <summary>Without the cases whose direction follows from the text, because a text of Avalonia has a direction, and those with a paragraph separator before
-    /// the end, because it ends the line. Avalonia orders ten cases differently: a combining mark after a bracket does not get the level of the
+    /// <summary>Without the cases whose direction follows from the text, because a text of Avalonia has a direction, and those with a paragraph separator
+    /// before the end, because it ends the line. Avalonia orders ten cases differently: a combining mark after a bracket does not get the level of the
     /// bracket (rule N0).</summary>
     [BidiFileFact]
     public Task The_cases_of_the_conformance_file_are_ordered_as_Unicode_requires_except_for_marks_on_brackets() => fixture.Runner.RunAsync(() =>
