@@ -40,6 +40,9 @@ internal static class MemoryBenchmark
             case BenchmarkName.Plots:
                 new PlotsBenchmark(session, window, desktop, output).Run(options.File!);
                 break;
+            case BenchmarkName.Text:
+                new TextBenchmark(output).Run();
+                break;
             default:
                 new StopBenchmark(session, window, desktop, options.File, output).Run();
                 break;

@@ -31,5 +31,8 @@ internal static class BenchmarkName
     /// <summary>The Plots page of a large drawing: first picture, frames, memory.</summary>
     public const string Plots = "plots";
 
-    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames, Plots];
+    /// <summary>Layout and drawing of a page of text.</summary>
+    public const string Text = "text";
+
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Text, Idle, StopOnDisplay, Frames, Plots];
 }

@@ -23,16 +23,17 @@ internal static class GlyphDrawing
         var scale = transform.M11;
         var size = GlyphSize.ToParts(run.FontRenderingEmSize * scale);
         var tone = paint is SolidPaint solid ? TextTone.From(solid.Color) : TextTone.Middle;
+        var masks = run.Typeface.Masks.Of(size, tone);
         var baseX = run.BaselineOrigin.X * scale + transform.M31;
         var baseY = PixelBounds.Nearest(run.BaselineOrigin.Y * scale + transform.M32);
-        for (var i = 0; i < run.Count; i++)
+        var glyphs = run.Glyphs;
+        var offsets = run.Offsets;
+        for (var i = 0; i < glyphs.Length; i++)
         {
-            var x = Math.Floor((baseX + run.OffsetX(i) * scale) * GlyphSize.StepsPerPixel + 0.5);
-            var pixel = (int)Math.Floor(x / GlyphSize.StepsPerPixel);
-            var step = (int)(x - (double)pixel * GlyphSize.StepsPerPixel);
-            var mask = run.Typeface.Masks.Get(run.Glyph(i), size, step, tone);
-            if (mask is not null)
-                Draw(state, mask, pixel, baseY + PixelBounds.Nearest(run.OffsetY(i) * scale), paint);
+            var quarters = (int)Math.Floor((baseX + offsets[i].X * scale) * GlyphSize.StepsPerPixel + 0.5);
+            var (x, step) = (quarters >> GlyphSize.StepBits, quarters & (GlyphSize.StepsPerPixel - 1));
+            var y = offsets[i].Y == 0 ? baseY : baseY + PixelBounds.Nearest(offsets[i].Y * scale);
+            Draw(state, masks.Get(glyphs[i], step), x, y, paint);
         }
     }
 
@@ -42,6 +43,11 @@ internal static class GlyphDrawing
         var clip = state.Clip;
         if (!clip.Touches(place))
             return;
+        if (paint is SolidPaint solid && clip.ShowsAll(place) && place.Left + mask.Stride <= state.Painter.Surface.Bounds.Right)
+        {
+            PixelRows.BlendColor(state.Painter.Surface, place.Left, place.Top, solid.Color, mask.Cells, mask.Stride);
+            return;
+        }
         var bottom = Math.Min(place.Bottom, clip.Bounds.Bottom);
         for (var row = Math.Max(place.Top, clip.Bounds.Top); row < bottom; row++)
             state.Painter.Cells(row, place.Left, mask.Row(row - y), paint, clip);

@@ -62,6 +62,19 @@ internal sealed class ClipShape
         return false;
     }
 
+    /// <summary>True only if the clip hides no part of <paramref name="bounds"/>; false also if they are inside several rectangles together.</summary>
+    public bool ShowsAll(PixelBounds bounds)
+    {
+        if (Mask is not null)
+            return false;
+        foreach (var rectangle in Rectangles)
+        {
+            if (rectangle.Contains(bounds))
+                return true;
+        }
+        return false;
+    }
+
     /// <summary>The smallest rectangle that holds the visible part of <paramref name="bounds"/>.</summary>
     public PixelBounds Visible(PixelBounds bounds)
     {

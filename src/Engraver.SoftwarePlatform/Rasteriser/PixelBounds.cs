@@ -21,6 +21,8 @@ internal readonly record struct PixelBounds(int Left, int Top, int Right, int Bo
 
     public bool Intersects(PixelBounds other) => Left < other.Right && other.Left < Right && Top < other.Bottom && other.Top < Bottom;
 
+    public bool Contains(PixelBounds other) => other.Left >= Left && other.Top >= Top && other.Right <= Right && other.Bottom <= Bottom;
+
     public PixelBounds Inflate(int by) => new(Left - by, Top - by, Right + by, Bottom + by);
 
     public PixelBounds Offset(int x, int y) => new(Left + x, Top + y, Right + x, Bottom + y);

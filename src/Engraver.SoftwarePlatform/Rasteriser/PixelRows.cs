@@ -7,7 +7,8 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <summary>Blending of whole rows, four pixels at a time. Results are equal, bit for bit, to <see cref="ScalarPixelRows"/>.</summary>
 internal static class PixelRows
 {
-    private const int Lane = 4;
+    /// <summary>Pixels that are blended at a time.</summary>
+    public const int Lane = 4;
 
     private static readonly Vector128<byte> s_alphaOfEach = Vector128.Create((byte)3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
     private static readonly Vector128<byte> s_byteOfEach = Vector128.Create((byte)0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
@@ -40,6 +41,20 @@ internal static class PixelRows
                 Store(row, i, Over(Scaled(source, four), Load(row, i)));
         }
         ScalarPixelRows.BlendColor(row[i..], color, coverage[i..]);
+    }
+
+    /// <summary>Colour, as far as each pixel is covered, over all rows of a rectangle, which must be on the surface.</summary>
+    /// <param name="coverage">Row by row.</param>
+    /// <param name="width">Pixels of a row, a multiple of <see cref="Lane"/>.</param>
+    public static void BlendColor(PixelSurface surface, int left, int top, uint color, ReadOnlySpan<byte> coverage, int width)
+    {
+        var source = Vector128.Create(color).AsByte();
+        for (; !coverage.IsEmpty; coverage = coverage[width..], top++)
+        {
+            var row = surface.Row(top, left, left + width);
+            for (var i = 0; i < width; i += Lane)
+                Store(row, i, Over(Scaled(source, FourBytes(coverage, i)), Load(row, i)));
+        }
     }
 
     /// <summary>Row = source over row.</summary>

@@ -4,7 +4,9 @@ namespace Engraver.SoftwarePlatform.Text;
 internal static class GlyphSize
 {
     /// <summary>Glyphs are positioned in quarters of a pixel.</summary>
-    public const int StepsPerPixel = 4;
+    public const int StepsPerPixel = 1 << StepBits;
+
+    public const int StepBits = 2;
 
     private const double PartsPerPixel = 64;
 

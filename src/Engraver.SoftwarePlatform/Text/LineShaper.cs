@@ -1,20 +1,17 @@
 using Avalonia;
-using Avalonia.Media;
 using Avalonia.Media.TextFormatting;
 using Avalonia.Media.TextFormatting.Unicode;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Shapes one piece of text in one font; glyphs are in the order of the text.</summary>
-internal sealed class LineShaper(TextShaperOptions options)
+/// <summary>Shapes text from left to right in one font, one glyph for each character: character map, advances, pair kerning and single accents.</summary>
+internal sealed class LineShaper(TextShaperOptions options, int expectedLength)
 {
     private const int SpacesOfTab = 4;
 
-    private readonly GlyphTypeface _typeface = options.GlyphTypeface;
-    private readonly PairKerning? _kerning = (options.GlyphTypeface.PlatformTypeface as SoftwareTypeface)?.Kerning;
+    private readonly SoftwareTypeface _typeface = (SoftwareTypeface)options.GlyphTypeface.PlatformTypeface;
     private readonly double _scale = options.FontRenderingEmSize / options.GlyphTypeface.Metrics.DesignEmHeight;
-    private readonly MarkPlacement? _placement = (options.GlyphTypeface.PlatformTypeface as SoftwareTypeface)?.Marks;
-    private readonly List<GlyphInfo> _glyphs = [];
+    private readonly List<GlyphInfo> _glyphs = new(expectedLength);
     private readonly List<(int Mark, int Letter)> _marks = [];
 
     /// <summary>Glyph that the next one may be kerned to; -1 after anything but a letter.</summary>
@@ -23,86 +20,90 @@ internal sealed class LineShaper(TextShaperOptions options)
     /// <summary>Index of the glyph of <see cref="_previous"/>; marks may be between.</summary>
     private int _previousPlace;
 
-    public IReadOnlyList<GlyphInfo> Glyphs => _glyphs;
+    /// <summary>In the order of the text.</summary>
+    public List<GlyphInfo> Glyphs => _glyphs;
 
-    public void Shape(ReadOnlySpan<char> text)
+    /// <summary>Adds the glyphs of a part of the text.</summary>
+    public void Shape(ReadOnlySpan<char> text, int start, int length)
     {
-        for (var index = 0; index < text.Length;)
+        _previous = -1;
+        for (var index = start; index < start + length;)
         {
-            var codepoint = Codepoint.ReadAt(text, index, out var length);
-            if (codepoint.Value == '\t')
-                AddTab(index);
-            else if (codepoint.IsBreakChar || codepoint.IsDefaultIgnorable)
-                AddInvisible(codepoint, index, text);
-            else if (codepoint.GeneralCategory == GeneralCategory.NonspacingMark && _glyphs.Count > 0)
-                AddMark(codepoint);
-            else
-                AddLetter(codepoint, index);
-            index += length;
+            var codepoint = Codepoint.ReadAt(text, index, out var units);
+            var character = _typeface.Characters.Of(codepoint);
+            switch (character.Kind)
+            {
+                case CharacterKind.Letter:
+                    AddLetter(character, index);
+                    break;
+                case CharacterKind.Mark when _glyphs.Count > 0:
+                    AddMark(character.Glyph);
+                    break;
+                case CharacterKind.Mark:
+                    AddLetter(character, index);
+                    break;
+                case CharacterKind.Tab:
+                    AddTab(character, index);
+                    break;
+                default:
+                    AddInvisible(character, index, text);
+                    break;
+            }
+            index += units;
         }
         foreach (var (mark, letter) in _marks)
             Place(mark, letter);
+        _marks.Clear();
     }
 
-    private void AddTab(int cluster)
+    private void AddTab(CharacterEntry space, int cluster)
     {
-        var space = Space();
-        var width = options.IncrementalTabWidth > 0 ? options.IncrementalTabWidth : SpacesOfTab * Advance(space);
-        _glyphs.Add(new GlyphInfo(space, cluster, width));
+        var width = options.IncrementalTabWidth > 0 ? options.IncrementalTabWidth : SpacesOfTab * (space.Advance * _scale);
+        _glyphs.Add(new GlyphInfo(space.Glyph, cluster, width));
         _previous = -1;
     }
 
     /// <summary>Adds a character without a glyph; a line feed belongs to the carriage return before it.</summary>
-    private void AddInvisible(Codepoint codepoint, int index, ReadOnlySpan<char> text)
+    private void AddInvisible(CharacterEntry space, int index, ReadOnlySpan<char> text)
     {
-        var belongsToBefore = codepoint.Value == '\n' && index > 0 && text[index - 1] == '\r';
-        _glyphs.Add(new GlyphInfo(Space(), belongsToBefore ? index - 1 : index, 0));
+        var belongsToBefore = text[index] == '\n' && index > 0 && text[index - 1] == '\r';
+        _glyphs.Add(new GlyphInfo(space.Glyph, belongsToBefore ? index - 1 : index, 0));
         _previous = -1;
     }
 
     /// <summary>Adds a mark over the letter that it follows, without an advance.</summary>
-    private void AddMark(Codepoint codepoint)
+    private void AddMark(ushort glyph)
     {
         if (_previous >= 0)
             _marks.Add((_glyphs.Count, _previousPlace));
-        _glyphs.Add(new GlyphInfo(Glyph((int)codepoint.Value), _glyphs[^1].GlyphCluster, 0));
+        _glyphs.Add(new GlyphInfo(glyph, _glyphs[^1].GlyphCluster, 0));
     }
 
-    /// <summary>Positions a mark after all advances are known: relative to the end of its letter or, in right-to-left text, to its beginning.</summary>
+    /// <summary>Positions a mark relative to the end of its letter, after all advances are known.</summary>
     private void Place(int mark, int letter)
     {
         var (info, under) = (_glyphs[mark], _glyphs[letter]);
-        if (_placement?.Find(under.GlyphIndex, info.GlyphIndex) is not { } place)
+        if (_typeface.Marks.Find(under.GlyphIndex, info.GlyphIndex) is not { } place)
             return;
-        var back = (options.BidiLevel & 1) != 0 ? 0 : under.GlyphAdvance;
-        _glyphs[mark] = new GlyphInfo(info.GlyphIndex, info.GlyphCluster, 0, new Vector(place.X * _scale - back, -place.Y * _scale));
+        _glyphs[mark] = new GlyphInfo(info.GlyphIndex, info.GlyphCluster, 0, new Vector(place.X * _scale - under.GlyphAdvance, -place.Y * _scale));
     }
 
-    private void AddLetter(Codepoint codepoint, int cluster)
+    private void AddLetter(CharacterEntry letter, int cluster)
     {
-        var glyph = Glyph((int)codepoint.Value);
-        _glyphs.Add(new GlyphInfo(glyph, cluster, Advance(glyph) + options.LetterSpacing));
         if (_previous >= 0)
-            Kern(glyph);
-        _previous = glyph;
-        _previousPlace = _glyphs.Count - 1;
+            Kern(letter.Glyph);
+        _previous = letter.Glyph;
+        _previousPlace = _glyphs.Count;
+        _glyphs.Add(new GlyphInfo(letter.Glyph, cluster, letter.Advance * _scale + options.LetterSpacing));
     }
 
-    /// <summary>Changes the advance of the left one of the last two letters: in right-to-left text, the later one.</summary>
-    private void Kern(int glyph)
+    /// <summary>Changes the advance of the last letter by its distance to the next one.</summary>
+    private void Kern(ushort next)
     {
-        var isRightToLeft = (options.BidiLevel & 1) != 0;
-        var units = isRightToLeft ? _kerning?.Between(glyph, _previous) : _kerning?.Between(_previous, glyph);
-        if (units is null or 0)
+        var units = _typeface.Kerning.Between(_previous, next);
+        if (units == 0)
             return;
-        var place = isRightToLeft ? _glyphs.Count - 1 : _previousPlace;
-        var left = _glyphs[place];
-        _glyphs[place] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units.Value * _scale, left.GlyphOffset);
+        var left = _glyphs[_previousPlace];
+        _glyphs[_previousPlace] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units * _scale, left.GlyphOffset);
     }
-
-    private ushort Glyph(int character) => _typeface.CharacterToGlyphMap[character];
-
-    private ushort Space() => Glyph(' ');
-
-    private double Advance(ushort glyph) => _typeface.TryGetHorizontalGlyphAdvance(glyph, out var units) ? units * _scale : 0;
 }

@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using System.Numerics;
 
 namespace Engraver.SoftwarePlatform.Text;
@@ -11,7 +10,7 @@ internal sealed class PairKerning
     private const int XAndYPlacement = 3;
 
     private readonly List<FontBytes> _subtables;
-    private readonly ConcurrentDictionary<(int First, int Second), int> _known = new();
+    private readonly KerningCache _known = new();
 
     private PairKerning(List<FontBytes> subtables) => _subtables = subtables;
 
@@ -28,18 +27,28 @@ internal sealed class PairKerning
     }
 
     /// <summary>Font units to add to the advance of <paramref name="first"/>; the glyphs are given from left to right.</summary>
-    public int Between(int first, int second) => _subtables.Count == 0 ? 0 : _known.GetOrAdd((first, second), Find);
+    public int Between(int first, int second)
+    {
+        if (_subtables.Count == 0)
+            return 0;
+        if (!_known.TryGet(first, second, out var units))
+        {
+            units = Find(first, second);
+            _known.Keep(first, second, units);
+        }
+        return units;
+    }
 
-    private int Find((int First, int Second) pair)
+    private int Find(int first, int second)
     {
         try
         {
             foreach (var subtable in _subtables)
             {
-                var covered = LayoutCoverage.Index(subtable.Linked(2), pair.First);
+                var covered = LayoutCoverage.Index(subtable.Linked(2), first);
                 if (covered < 0)
                     continue;
-                var found = subtable.UInt16(0) == 1 ? ByGlyph(subtable, covered, pair.Second) : ByClass(subtable, pair.First, pair.Second);
+                var found = subtable.UInt16(0) == 1 ? ByGlyph(subtable, covered, second) : ByClass(subtable, first, second);
                 if (found is { } value)
                     return value;
             }

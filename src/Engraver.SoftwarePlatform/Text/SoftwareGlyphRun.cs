@@ -26,9 +26,10 @@ internal sealed class SoftwareGlyphRun : IGlyphRunImpl
         var x = 0.0;
         for (var i = 0; i < glyphs.Count; i++)
         {
-            _glyphs[i] = glyphs[i].GlyphIndex;
-            _offsets[i] = glyphs[i].GlyphOffset + new Vector(x, 0);
-            x += glyphs[i].GlyphAdvance;
+            var glyph = glyphs[i];
+            _glyphs[i] = glyph.GlyphIndex;
+            _offsets[i] = glyph.GlyphOffset + new Vector(x, 0);
+            x += glyph.GlyphAdvance;
         }
         var scale = size / Typeface.UnitsPerEm;
         double ascent = typeface.Metrics.Ascent * scale, descent = typeface.Metrics.Descent * scale;
@@ -45,16 +46,13 @@ internal sealed class SoftwareGlyphRun : IGlyphRunImpl
     /// <summary>A box larger than the ink: from the font's highest to its lowest point, with an overhang on both sides.</summary>
     public Rect Bounds { get; }
 
-    public int Count => _glyphs.Length;
-
     /// <summary>All glyphs as one path in the run's coordinates.</summary>
     public VectorPath Outline => _outline ??= MakeOutline();
 
-    public ushort Glyph(int index) => _glyphs[index];
+    public ReadOnlySpan<ushort> Glyphs => _glyphs;
 
-    public double OffsetX(int index) => _offsets[index].X;
-
-    public double OffsetY(int index) => _offsets[index].Y;
+    /// <summary>From the baseline's origin to the origin of each glyph.</summary>
+    public ReadOnlySpan<Vector> Offsets => _offsets;
 
     public IReadOnlyList<float> GetIntersections(float lowerLimit, float upperLimit) => [];
 

@@ -23,6 +23,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     private readonly Lazy<IGlyphOutlines> _outlines;
     private readonly Lazy<PairKerning> _kerning;
     private readonly Lazy<MarkPlacement> _marks;
+    private readonly Lazy<HarfBuzzFont?> _harfBuzz;
     private readonly ConcurrentDictionary<int, VectorPath> _paths = new();
 
     private SoftwareTypeface(FontFile file, FontSimulations simulations)
@@ -33,8 +34,10 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
         _kerning = new Lazy<PairKerning>(() => PairKerning.Read(file));
         _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Read(file));
+        _harfBuzz = new Lazy<HarfBuzzFont?>(() => HarfBuzzFont.TryCreate(this));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
+        Characters = new CharacterTable(GlyphTypeface);
         Validate(GlyphTypeface, file);
         FamilyName = GlyphTypeface.FamilyName;
         Weight = GlyphTypeface.Weight;
@@ -59,9 +62,14 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 
     public GlyphMasks Masks { get; }
 
+    public CharacterTable Characters { get; }
+
     public PairKerning Kerning => _kerning.Value;
 
     public MarkPlacement Marks => _marks.Value;
+
+    /// <summary>Null if the library is not installed.</summary>
+    public HarfBuzzFont? HarfBuzz => _harfBuzz.Value;
 
     /// <returns>Null for a font that cannot be used: broken, or without outlines.</returns>
     public static SoftwareTypeface? TryCreate(IFontSource source, int face, FontSimulations simulations)

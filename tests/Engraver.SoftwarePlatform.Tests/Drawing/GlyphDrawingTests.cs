@@ -74,6 +74,33 @@ public class GlyphDrawingTests
     }
 
     [Fact]
+    public void Text_cut_by_a_clip_or_by_the_edge_is_the_same_text()
+    {
+        using var whole = Text("Wide", 14, Colors.Black, Colors.White, 60, 24, 4, 17);
+        using var clipped = new Picture(60, 24, Colors.White).Draw(context =>
+        {
+            context.PushClip(new Rect(9, 8, 17, 7));
+            context.DrawGlyphRun(Picture.Brush(Colors.Black), Inter.Run("Wide", 14, 4, 17));
+            context.PopClip();
+        });
+        foreach (var width in Enumerable.Range(8, 32))
+        {
+            using var narrow = Text("Wide", 14, Colors.Black, Colors.White, width, 24, 4, 17);
+            for (var y = 0; y < 24; y++)
+            {
+                for (var x = 0; x < width; x++)
+                    Assert.Equal(whole.Pixel(x, y), narrow.Pixel(x, y));
+            }
+        }
+
+        for (var y = 0; y < 24; y++)
+        {
+            for (var x = 0; x < 60; x++)
+                Assert.Equal(x is >= 9 and < 26 && y is >= 8 and < 15 ? whole.Pixel(x, y) : 0xFFFFFFFF, clipped.Pixel(x, y));
+        }
+    }
+
+    [Fact]
     public void A_gradient_can_be_the_foreground()
     {
         using var picture = new Picture(200, 40).Draw(c => c.DrawGlyphRun(GradientTests.Linear((Colors.Red, 0), (Colors.Blue, 1)), Inter.Run("MMMMMM", 30, 5, 32)));

@@ -36,6 +36,23 @@ public class PixelRowsTests
     });
 
     [Fact]
+    public unsafe void A_covered_color_over_a_rectangle()
+    {
+        const int surfaceWidth = 23, left = 3, top = 2, width = 2 * PixelRows.Lane, height = 5;
+        for (var round = 0; round < 50; round++)
+        {
+            uint[] surface = Pixels(surfaceWidth * 10), expected = [.. surface];
+            var color = Pixels(1)[0];
+            var coverage = Coverage(width * height);
+            for (var y = 0; y < height; y++)
+                ScalarPixelRows.BlendColor(expected.AsSpan((top + y) * surfaceWidth + left, width), color, coverage.AsSpan(y * width, width));
+            fixed (uint* pixels = surface)
+                PixelRows.BlendColor(new PixelSurface(pixels, surfaceWidth, new PixelBounds(0, 0, surfaceWidth, 10)), left, top, color, coverage, width);
+            Assert.Equal(expected, surface);
+        }
+    }
+
+    [Fact]
     public void Pixels_over_a_row() => CompareAll((row, other, coverage, plain) =>
     {
         if (plain)

@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Tests.Text;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
@@ -11,6 +12,7 @@ internal static class WindowProgram
     [STAThread]
     public static int Main(string[] arguments)
     {
+        if (arguments is [ShapingProgram.Argument, var text, ..]) return ShapingProgram.Run(text, arguments.Contains(ShapingProgram.WithoutLibrary));
         var scale = arguments.Length > 0 ? double.Parse(arguments[0], System.Globalization.CultureInfo.InvariantCulture) : 1.0;
         using var story = new WindowEventLog();
         var options = new SoftwarePlatformOptions
