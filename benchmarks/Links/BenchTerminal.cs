@@ -12,16 +12,16 @@ internal sealed class BenchTerminal : IDisposable
     private const nuint TerminalNumber = 0x80045430; // TIOCGPTN
     private const nuint SetLock = 0x40045431; // TIOCSPTLCK
 
-    private readonly SafeFileHandle _master;
+    private readonly FileStream _master;
 
     /// <exception cref="PlatformNotSupportedException">The system is not Linux.</exception>
     /// <exception cref="IOException">The system has no free terminal.</exception>
     public BenchTerminal()
     {
         if (!OperatingSystem.IsLinux()) throw new PlatformNotSupportedException("a pseudo-terminal is opened on Linux only.");
-        _master = File.OpenHandle("/dev/ptmx", FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite);
+        _master = new FileStream("/dev/ptmx", FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 0);
         var (number, unlocked) = (0, 0);
-        if (Control(_master, SetLock, ref unlocked) != 0 || Control(_master, TerminalNumber, ref number) != 0) throw new IOException(Marshal.GetLastPInvokeErrorMessage());
+        if (Control(_master.SafeFileHandle, SetLock, ref unlocked) != 0 || Control(_master.SafeFileHandle, TerminalNumber, ref number) != 0) throw new IOException(Marshal.GetLastPInvokeErrorMessage());
         Device = string.Create(CultureInfo.InvariantCulture, $"/dev/pts/{number}");
     }
 
@@ -31,7 +31,7 @@ internal sealed class BenchTerminal : IDisposable
     /// <summary>Sends back what arrives, on a thread, until the link and this side are closed.</summary>
     public void Echo() => new Thread(Answer) { IsBackground = true, Name = "echo" }.Start();
 
-    public void Send(ReadOnlySpan<byte> bytes) => RandomAccess.Write(_master, bytes, 0);
+    public void Send(ReadOnlySpan<byte> bytes) => _master.Write(bytes);
 
     /// <summary>The cable is unplugged: the link gets a hang-up.</summary>
     public void Dispose() => _master.Dispose();
@@ -41,7 +41,7 @@ internal sealed class BenchTerminal : IDisposable
         var bytes = new byte[256];
         try
         {
-            while (RandomAccess.Read(_master, bytes, 0) is > 0 and var count) Send(bytes.AsSpan(0, count));
+            while (_master.Read(bytes, 0, bytes.Length) is > 0 and var count) Send(bytes.AsSpan(0, count));
         }
         catch (Exception closed) when (closed is IOException or ObjectDisposedException)
         {

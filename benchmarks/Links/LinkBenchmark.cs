@@ -14,6 +14,9 @@ internal static class LinkBenchmark
 
     private const int WarmUp = 200;
 
+    /// <summary>The compiler has finished with the measured methods after this time.</summary>
+    private static readonly TimeSpan s_settling = TimeSpan.FromSeconds(1);
+
     /// <summary>A line of a poll, and its reply.</summary>
     private const int ExchangeBytes = 16;
 
@@ -43,9 +46,11 @@ internal static class LinkBenchmark
             var before = Environment.CpuUsage.TotalTime;
             var times = await ExchangeAsync(link, exchanges, stop).ConfigureAwait(false);
             var each = (Environment.CpuUsage.TotalTime - before) / exchanges;
+            await Task.Delay(s_settling, stop).ConfigureAwait(false);
             var (cpu, switches) = (Environment.CpuUsage.TotalTime, ContextSwitches());
             await Task.Delay(rest, stop).ConfigureAwait(false);
-            var (load, switched) = ((Environment.CpuUsage.TotalTime - cpu) / rest, (ContextSwitches() - switches) / rest.TotalSeconds);
+            var load = (Environment.CpuUsage.TotalTime - cpu) / rest;
+            var switched = ContextSwitches().Sum(thread => thread.Value - switches.GetValueOrDefault(thread.Key)) / rest.TotalSeconds;
             return string.Create(CultureInfo.InvariantCulture, $"| {SerialDrivers.Name(driver)} | {At(times, 0.5):0.00} | {At(times, 0.99):0.00} | {each.TotalMilliseconds:0.00} | {load * 100.0:0.0} % | {switched:0} |");
         }
         finally
@@ -81,8 +86,8 @@ internal static class LinkBenchmark
 
     private static double At(List<double> times, double part) => times[Math.Min(times.Count - 1, (int)(times.Count * part))];
 
-    /// <summary>Context switches of all threads of this process: each is a thread that began or ended a wait.</summary>
-    private static long ContextSwitches() => Directory.EnumerateDirectories("/proc/self/task").Sum(thread => File.ReadLines(Path.Combine(thread, "status"))
+    /// <summary>Context switches of each thread of this process so far: each is the end of a wait, or another thread that got the processor.</summary>
+    private static Dictionary<string, long> ContextSwitches() => Directory.EnumerateDirectories("/proc/self/task").ToDictionary(thread => thread, thread => File.ReadLines(Path.Combine(thread, "status"))
         .Where(line => line.Contains("_ctxt_switches:", StringComparison.Ordinal))
         .Sum(line => long.Parse(line.AsSpan(line.IndexOf('\t', StringComparison.Ordinal)), NumberStyles.AllowLeadingWhite, CultureInfo.InvariantCulture)));
 }
