@@ -39,7 +39,7 @@ internal sealed class PortsDevice
             port.DiscardInBuffer();
             return new PortsDevice(port, claim, writeTimeout);
         }
-        catch (Exception refused) when (IsFailure(refused) || refused is ArgumentException or DllNotFoundException)
+        catch (Exception refused) when (IsFailure(refused) || refused is DllNotFoundException)
         {
             port.Dispose();
             claim?.Dispose();
@@ -109,8 +109,10 @@ internal sealed class PortsDevice
         }
     }
 
-    /// <summary>The exceptions with which the library reports a device that is gone, busy or closed.</summary>
-    private static bool IsFailure(Exception failure) => failure is IOException or TimeoutException or InvalidOperationException or UnauthorizedAccessException;
+    /// <summary>The exceptions with which the library reports a device that is gone, busy, closed or unknown. <see cref="ObjectDisposedException"/> is among
+    /// them.</summary>
+    private static bool IsFailure(Exception failure) =>
+        failure is IOException or TimeoutException or InvalidOperationException or UnauthorizedAccessException or ArgumentException or OperationCanceledException;
 
     /// <summary>Windows reports a device in use as denied access; elsewhere the inner exception has the system's reason.</summary>
     private static string WhyRefused(SerialAddress address, Exception refused) => refused is UnauthorizedAccessException { InnerException: null }
