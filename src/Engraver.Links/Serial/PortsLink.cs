@@ -5,8 +5,8 @@ using Engraver.Core.Machines;
 namespace Engraver.Links.Serial;
 
 /// <summary>A link over a serial port of the library System.IO.Ports, which is loaded with the first such link.</summary>
-/// <remarks>One thread reads, one writes small pieces, and one closes; no caller waits for them longer than its own time limit. Writing and closing exclude each
-/// other, because the library does not allow them at the same time. Nothing is written after the first failure.</remarks>
+/// <remarks>One thread reads, one writes small pieces, and one closes; no caller waits for them longer than its own time limit. Writing and closing exclude
+/// each other, because the library does not allow them at the same time. Nothing is written after the first failure.</remarks>
 internal sealed class PortsLink : ISerialLink
 {
     /// <summary>Maximum size of one write, in bytes.</summary>
