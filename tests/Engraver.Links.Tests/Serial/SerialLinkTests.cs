@@ -9,12 +9,47 @@ namespace Engraver.Links.Tests.Serial;
 public sealed class TermiosLinkTests() : SerialLinkTests(SerialDriver.Own);
 
 /// <summary>The same with System.IO.Ports.</summary>
-public sealed class PortsLinkTests() : SerialLinkTests(SerialDriver.Ports);
+public sealed class PortsLinkTests() : SerialLinkTests(SerialDriver.Ports)
+{
+    /// <summary>The other side has stopped the line with XOFF, so that a write of the library ends only by its own time-out, of a minute here.</summary>
+    [Fact]
+    public async Task A_device_that_cannot_be_closed_is_not_waited_for_and_reported_as_locked()
+    {
+        ControllerLinkException? refused = null;
+        for (var attempt = 0; attempt < 50 && refused is null; attempt++)
+        {
+            using var cable = new PseudoTerminalPair();
+            var time = new ManualTimeProvider();
+            var address = new SerialAddress(cable.Device, 19200, SerialFlow.XonXoff) { Driver = SerialDriver.Ports };
+            var link = SerialLink.Open(address, TimeSpan.FromSeconds(60), time);
+            cable.Write("\u0013A");
+            Assert.Equal("A", await ReadAsync(link, 1)); // the system has processed XOFF
+            var writing = link.WriteAsync("TP\r"u8.ToArray(), CancellationToken.None).AsTask();
+            await Task.Yield();
+
+            var closing = link.DisposeAsync().AsTask();
+            await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(Patience));
+            while (!closing.IsCompleted)
+            {
+                time.Advance(TimeSpan.FromSeconds(0.1));
+                await Task.Yield();
+            }
+
+            // If the thread had not started the write, the device was closed at once, and the next attempt counts.
+            refused = await Record.ExceptionAsync(async () =>
+            {
+                await using var again = SerialLink.Open(address, TimeSpan.FromSeconds(60), TimeProvider.System);
+            }) as ControllerLinkException;
+        }
+
+        Assert.Contains("a closed link of this program still has it locked", refused?.Message, StringComparison.Ordinal);
+    }
+}
 
 /// <summary>What both drivers of serial devices do.</summary>
 public abstract class SerialLinkTests(SerialDriver driver)
 {
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+    protected static TimeSpan Patience { get; } = TimeSpan.FromSeconds(60);
 
     [Fact]
     public async Task Every_byte_arrives_as_it_is_both_ways()
@@ -39,9 +74,9 @@ public abstract class SerialLinkTests(SerialDriver driver)
         var link = Open(cable);
         var reading = link.ReadAsync(new byte[16], CancellationToken.None).AsTask();
 
-        await link.DisposeAsync().AsTask().WaitAsync(s_patience);
+        await link.DisposeAsync().AsTask().WaitAsync(Patience);
 
-        await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(s_patience));
+        await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(Patience));
         await Assert.ThrowsAsync<IOException>(() => link.WriteAsync("TP\r"u8.ToArray(), CancellationToken.None).AsTask());
         await link.DisposeAsync();
     }
@@ -53,9 +88,9 @@ public abstract class SerialLinkTests(SerialDriver driver)
         var link = Open(cable, new ManualTimeProvider());
         var writing = link.WriteAsync(new byte[1 << 20], CancellationToken.None).AsTask();
 
-        await link.DisposeAsync().AsTask().WaitAsync(s_patience);
+        await link.DisposeAsync().AsTask().WaitAsync(Patience);
 
-        await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(s_patience));
+        await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(Patience));
     }
 
     [Fact]
@@ -70,7 +105,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
         cable.Dispose();
 
         Assert.Equal("LAST:", last);
-        var failure = await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(s_patience));
+        var failure = await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(Patience));
         Assert.Contains("was disconnected", failure.Message, StringComparison.Ordinal);
         await Assert.ThrowsAsync<IOException>(() => link.WriteAsync("TP\r"u8.ToArray(), CancellationToken.None).AsTask());
     }
@@ -100,8 +135,8 @@ public abstract class SerialLinkTests(SerialDriver driver)
         await using var link = Open(cable);
         var writing = link.WriteAsync(Encoding.ASCII.GetBytes(new string('A', 100_000)), CancellationToken.None).AsTask();
 
-        Assert.Equal(new string('A', 100_000), await Task.Run(() => cable.Read(100_000)).WaitAsync(s_patience));
-        await writing.WaitAsync(s_patience);
+        Assert.Equal(new string('A', 100_000), await Task.Run(() => cable.Read(100_000)).WaitAsync(Patience));
+        await writing.WaitAsync(Patience);
     }
 
     [Fact]
@@ -170,7 +205,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
         using var cable = new PseudoTerminalPair();
         var link = Open(cable, new ManualTimeProvider());
 
-        await Task.WhenAll(link.DisposeAsync().AsTask(), link.DisposeAsync().AsTask()).WaitAsync(s_patience);
+        await Task.WhenAll(link.DisposeAsync().AsTask(), link.DisposeAsync().AsTask()).WaitAsync(Patience);
 
         await Assert.ThrowsAsync<IOException>(() => link.ReadAsync(new byte[1], CancellationToken.None).AsTask());
     }
@@ -189,7 +224,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
             await Task.Yield();
         }
 
-        await link.DisposeAsync().AsTask().WaitAsync(s_patience);
+        await link.DisposeAsync().AsTask().WaitAsync(Patience);
 
         await Assert.ThrowsAsync<IOException>(() => writing);
         await using var again = Open(cable);
@@ -206,8 +241,8 @@ public abstract class SerialLinkTests(SerialDriver driver)
 
         cable.Dispose();
 
-        await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(s_patience));
-        await Assert.ThrowsAsync<IOException>(() => link.ReadAsync(new byte[1], CancellationToken.None).AsTask().WaitAsync(s_patience));
+        await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(Patience));
+        await Assert.ThrowsAsync<IOException>(() => link.ReadAsync(new byte[1], CancellationToken.None).AsTask().WaitAsync(Patience));
     }
 
     [Fact]
@@ -220,7 +255,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
 
         await cancel.CancelAsync();
 
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => writing.WaitAsync(s_patience));
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => writing.WaitAsync(Patience));
     }
 
     /// <summary>The link passes noise on; the protocol above judges it.</summary>
@@ -245,7 +280,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
         await using var link = Open(cable);
         await link.WriteAsync("END"u8.ToArray(), CancellationToken.None);
 
-        await link.DrainAsync(CancellationToken.None).AsTask().WaitAsync(s_patience);
+        await link.DrainAsync(CancellationToken.None).AsTask().WaitAsync(Patience);
         await link.DisposeAsync();
 
         Assert.Equal("END", cable.Read(3));
@@ -254,7 +289,7 @@ public abstract class SerialLinkTests(SerialDriver driver)
     [Fact]
     public void A_device_that_is_not_there_is_told_by_the_systems_own_reason()
     {
-        var refused = Assert.Throws<ControllerLinkException>(() => SerialLink.Open(new SerialAddress("/dev/engraver-nothing", 19200) { Driver = driver }, s_patience, TimeProvider.System));
+        var refused = Assert.Throws<ControllerLinkException>(() => SerialLink.Open(new SerialAddress("/dev/engraver-nothing", 19200) { Driver = driver }, Patience, TimeProvider.System));
 
         Assert.Equal("No connection to /dev/engraver-nothing: the device cannot be opened (No such file or directory).", refused.Message);
     }
@@ -269,9 +304,9 @@ public abstract class SerialLinkTests(SerialDriver driver)
         Assert.Contains(device, failure.Message, StringComparison.Ordinal);
     }
 
-    private static async Task<string> ReadAsync(ISerialLink link, int count)
+    protected static async Task<string> ReadAsync(ISerialLink link, int count)
     {
-        using var patience = new CancellationTokenSource(s_patience);
+        using var patience = new CancellationTokenSource(Patience);
         var bytes = new byte[count];
         for (var read = 0; read < count;) read += await link.ReadAsync(bytes.AsMemory(read), patience.Token);
         return Encoding.Latin1.GetString(bytes);

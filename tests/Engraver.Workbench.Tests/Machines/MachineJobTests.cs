@@ -127,7 +127,7 @@ public sealed class MachineJobTests : IDisposable
         await SeenAsync(machine, status => status is { State: MachineState.Stopped, ToolCommanded: false });
 
         await machine.Connection.DisconnectAsync();
-        Assert.Equal(identity, await machine.Connection.ConnectAsync(address, _limit.Token));
+        Assert.Equal(identity.Model, (await machine.Connection.ConnectAsync(address, _limit.Token)).Model);
         var cut = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         controller.DropConnections();
