@@ -18,10 +18,11 @@ internal sealed class FaultStopBenchmark
 
     /// <param name="folder">For the journals of the jobs, and the serial device; must exist.</param>
     /// <param name="baud">Of a serial line; null for TCP.</param>
-    public FaultStopBenchmark(string folder, int? baud)
+    /// <param name="driver">Driver of the serial device; null for the default one.</param>
+    public FaultStopBenchmark(string folder, int? baud, string? driver)
     {
         var job = JobPreparation.Prepare(DxfReader.Read(Zigzag(), "stop.dxf", new DxfReadOptions(), CancellationToken.None), new DrawingSettings(), MachineFamilies.Default.DefaultStrategy.Style);
-        _press = new FaultStopPress(folder, baud, job);
+        _press = new FaultStopPress(folder, baud, driver, job);
     }
 
     /// <summary>The faults of <c>simulate --faults</c>, each with its text in the file beside its time; the first row is without a fault.</summary>

@@ -9,7 +9,7 @@ namespace Engraver.Benchmarks.Stops;
 
 /// <summary>Consecutive presses of STOP, each in a separate job on a separate controller: the job starts to move, the fault happens a little later, and
 /// STOP is pressed within 60 ms after it.</summary>
-internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
+internal sealed class FaultStopPress(string folder, int? baud, string? driver, PreparedJob job)
 {
     /// <summary>The fault happens within this time after the first motion, so that it can be between any two commands; seconds.</summary>
     private const double EarliestFault = 0.1;
@@ -31,7 +31,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     public async Task<PressedStop?> RunAsync(string? fault, CancellationToken stop)
     {
         await using var controller = ServedSimulator.Create(1.0, profile: null, faults: null, signColumn: false);
-        await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
+        await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, driver, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
         var ear = new WireListener(wire);
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.Connection.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);

@@ -23,12 +23,13 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private bool _isPressed;
 
     /// <param name="baud">Bits per second.</param>
-    private FaultStopSerialTap(ServedSimulator controller, string path, int baud)
+    /// <param name="driver">As in an address; null for the default one.</param>
+    private FaultStopSerialTap(ServedSimulator controller, string path, int baud, string? driver)
     {
         _controller = controller;
         controller.IsSerialUnpaced = true;
         _ticksPerByte = Stopwatch.Frequency * 10.0 / baud;
-        Address = string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={baud}");
+        Address = string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={baud}{(driver is null ? "" : $"&driver={driver}")}");
     }
 
     public override string Address { get; }
@@ -42,9 +43,9 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     }
 
     /// <param name="path">Path of the device that is created; must not exist.</param>
-    public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken cancellation)
+    public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, string? driver, CancellationToken cancellation)
     {
-        var tap = new FaultStopSerialTap(controller, path, baud);
+        var tap = new FaultStopSerialTap(controller, path, baud, driver);
         await controller.ServeSerialAsync(path, baud, tap.OnBytes, cancellation).ConfigureAwait(false);
         return tap;
     }

@@ -3,6 +3,7 @@ using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.App.Connections;
 
@@ -18,6 +19,7 @@ public sealed class ConnectModel : ObservableObject
     private string _device = "";
     private int _baud = ControllerAddress.DefaultBaud;
     private FlowChoice _flow;
+    private SerialDriver? _driver;
     private bool _isMaxSpeed;
 
     public ConnectModel(DesktopModel desk)
@@ -87,6 +89,18 @@ public sealed class ConnectModel : ObservableObject
         set => Change(ref _device, value ?? "");
     }
 
+    /// <summary>The serial devices of this computer when the sheet was opened.</summary>
+    public IReadOnlyList<string> Devices { get; private set; } = [];
+
+    public bool HasDevices => Devices.Count > 0;
+
+    /// <summary>The listed device that is used; null if another one is typed.</summary>
+    public string? ListedDevice
+    {
+        get => Devices.FirstOrDefault(device => device == Device.Trim());
+        set => Device = value ?? Device;
+    }
+
     public int Baud
     {
         get => _baud;
@@ -103,12 +117,14 @@ public sealed class ConnectModel : ObservableObject
     public string Address => _kind switch
     {
         LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
-        LinkKind.Serial => string.Create(CultureInfo.InvariantCulture, $"serial://{Device.Trim()}?baud={Baud}&flow={Flow.Word}"),
+        LinkKind.Serial => string.Create(CultureInfo.InvariantCulture, $"serial://{Device.Trim()}?baud={Baud}&flow={Flow.Word}{SerialDrivers.OptionText(_driver)}"),
         _ => IsMaxSpeed ? "sim:?speed=max" : "sim:?speed=1",
     };
 
     /// <summary>The line as it would be typed at the command line, or the name of the missing value.</summary>
     public string CommandText => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
+
+    internal Func<IReadOnlyList<string>> FindDevices { get; set; } = () => Discovery.Devices;
 
     private bool IsAddress => _desk.Session.Families.TryParseAddress(Address, out _);
 
@@ -116,6 +132,7 @@ public sealed class ConnectModel : ObservableObject
     public void Open()
     {
         if (_desk.Session.Settings.Current.LastAddress is { } last && _desk.Session.Families.TryParseAddress(last, out var address)) Load(address);
+        Devices = FindDevices();
         OnPropertyChanged(null);
         Connect.RaiseCanExecuteChanged();
         IsOpen = true;
@@ -129,7 +146,7 @@ public sealed class ConnectModel : ObservableObject
                 (_kind, _host, _port) = (LinkKind.Network, tcp.Host, tcp.Port.ToString(CultureInfo.InvariantCulture));
                 break;
             case SerialAddress serial:
-                (_kind, _device, _baud, _flow) = (LinkKind.Serial, serial.Device, serial.Baud, Flows.First(choice => choice.Flow == serial.Flow));
+                (_kind, _device, _baud, _flow, _driver) = (LinkKind.Serial, serial.Device, serial.Baud, Flows.First(choice => choice.Flow == serial.Flow), serial.Driver);
                 break;
             case SimulatedAddress simulated:
                 (_kind, _isMaxSpeed) = (LinkKind.Simulated, simulated.HasExplicitSpeed && simulated.Speed > RealTimeSpeed);

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Benchmarks.Links;
 using Engraver.Benchmarks.Offsets;
 using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Posts;
@@ -32,6 +33,7 @@ internal static class BenchVerb
         var command = new Command("bench", Wording.Get("Bench.Summary")) { sizes };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         command.Subcommands.Add(Stops(host));
+        command.Subcommands.Add(Links(host));
         command.Subcommands.Add(Trajectories(host));
         command.Subcommands.Add(Offsets(host));
         command.Subcommands.Add(Pockets(host));
@@ -50,8 +52,23 @@ internal static class BenchVerb
         var names = new Option<string[]>("--fault") { HelpName = "KIND", Description = Wording.Get("Bench.Fault"), Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
         names.AcceptOnlyFromAmong([.. FaultStopBenchmark.Faults.Select(fault => fault.Name)]);
         var serial = new Option<int?>("--serial") { HelpName = "BAUD", Description = Wording.Get("Bench.Serial"), CustomParser = Baud };
-        var command = new Command("stop", Wording.Get("Bench.Stops")) { presses, names, serial };
-        command.SetAction((parsed, stop) => StopAsync(host, parsed.GetValue(presses), parsed.GetValue(names) ?? [], parsed.GetValue(serial), stop));
+        var driver = DriverOption();
+        var command = new Command("stop", Wording.Get("Bench.Stops")) { presses, names, serial, driver };
+        command.Validators.Add(result =>
+        {
+            if (result.GetResult(driver) is not null && result.GetResult(serial) is null) result.AddError(Wording.Get("Bench.DriverNeedsSerial"));
+        });
+        command.SetAction((parsed, stop) => StopAsync(host, parsed.GetValue(presses), parsed.GetValue(names) ?? [], parsed.GetValue(serial), parsed.GetValue(driver), stop));
+        return command;
+    }
+
+    /// <summary><c>engraver bench links</c>: the drivers of serial devices.</summary>
+    private static Command Links(VerbHost host)
+    {
+        var exchanges = new Option<double>("--exchanges") { HelpName = "N", Description = Wording.Get("Bench.Exchanges"), CustomParser = OptionValue.IntegerFromOne, DefaultValueFactory = _ => 2000.0 };
+        var rest = new Option<double>("--rest") { HelpName = "SECONDS", Description = Wording.Get("Bench.Rest"), CustomParser = OptionValue.SecondsOfADay, DefaultValueFactory = _ => 5.0 };
+        var command = new Command("links", Wording.Get("Bench.Links")) { exchanges, rest };
+        command.SetAction((parsed, stop) => OnLinuxAsync(() => LinksAsync(host, (int)parsed.GetValue(exchanges), TimeSpan.FromSeconds(parsed.GetValue(rest)), stop)));
         return command;
     }
 
@@ -129,20 +146,52 @@ internal static class BenchVerb
         return ExitCode.Done;
     }
 
-    private static async Task<int> StopAsync(VerbHost host, int presses, string[] names, int? baud, CancellationToken stop)
+    private static Option<string?> DriverOption()
     {
-        var folder = Directory.CreateTempSubdirectory("engraver-bench-");
+        var driver = new Option<string?>("--driver") { HelpName = "NAME", Description = Wording.Get("Bench.Driver") };
+        driver.AcceptOnlyFromAmong([.. Enum.GetValues<SerialDriver>().Select(SerialDrivers.Name)]);
+        return driver;
+    }
+
+    private static async Task<int> LinksAsync(VerbHost host, int exchanges, TimeSpan rest, CancellationToken stop)
+    {
+        await WriteAsync(host, LinkBenchmark.ExchangeHead, stop).ConfigureAwait(false);
+        foreach (var driver in LinkBenchmark.Drivers) await WriteAsync(host, await LinkBenchmark.ExchangesAsync(driver, exchanges, rest, stop).ConfigureAwait(false), stop).ConfigureAwait(false);
+        await WriteAsync(host, "", stop).ConfigureAwait(false);
+        await WriteAsync(host, LinkBenchmark.EndHead, stop).ConfigureAwait(false);
+        foreach (var end in LinkBenchmark.Ends)
+        {
+            foreach (var driver in LinkBenchmark.Drivers) await WriteAsync(host, await LinkBenchmark.EndAsync(end, driver, stop).ConfigureAwait(false), stop).ConfigureAwait(false);
+        }
+
+        return ExitCode.Done;
+    }
+
+    /// <summary>Runs a measurement that needs a pseudo-terminal.</summary>
+    private static async Task<int> OnLinuxAsync(Func<Task<int>> measure)
+    {
         try
         {
-            var benchmark = new FaultStopBenchmark(folder.FullName, baud);
-            await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // JIT-compiles the measured code.
-            await WriteAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
-            foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await WriteAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
-            return ExitCode.Done;
+            return await measure().ConfigureAwait(false);
         }
         catch (PlatformNotSupportedException unbuilt)
         {
             throw new UsageException(Wording.Get("Bench.SerialUnavailable", unbuilt.Message));
+        }
+    }
+
+    private static Task<int> StopAsync(VerbHost host, int presses, string[] names, int? baud, string? driver, CancellationToken stop) => OnLinuxAsync(() => MeasureStopsAsync(host, presses, names, baud, driver, stop));
+
+    private static async Task<int> MeasureStopsAsync(VerbHost host, int presses, string[] names, int? baud, string? driver, CancellationToken stop)
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-bench-");
+        try
+        {
+            var benchmark = new FaultStopBenchmark(folder.FullName, baud, driver);
+            await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // JIT-compiles the measured code.
+            await WriteAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
+            foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await WriteAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
+            return ExitCode.Done;
         }
         finally
         {

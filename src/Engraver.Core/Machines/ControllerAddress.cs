@@ -28,7 +28,9 @@ public abstract record ControllerAddress
 
     /// <summary>The message for a text that is not an address.</summary>
     /// <param name="forms">The accepted forms.</param>
-    public static string NotAnAddress(string text, string forms) => Wording.Get("ControllerAddress.NotAnAddress", text, forms);
+    public static string NotAnAddress(string text, string forms) => SerialDrivers.UnknownIn(text) is { } driver
+        ? Wording.Get("ControllerAddress.UnknownDriver", text, driver, SerialDrivers.Names)
+        : Wording.Get("ControllerAddress.NotAnAddress", text, forms);
 
     /// <exception cref="FormatException">The text is not an address; the message states what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
@@ -89,6 +91,7 @@ public abstract record ControllerAddress
         "flow=none" => address with { Flow = SerialFlow.None },
         "flow=xonxoff" => address with { Flow = SerialFlow.XonXoff },
         "flow=rtscts" => address with { Flow = SerialFlow.RtsCts },
+        _ when SerialDrivers.Find(option) is { } driver => address with { Driver = driver },
         _ when Clock(option) is { } port => address with { ClockPort = port },
         _ => option.StartsWith("baud=", StringComparison.Ordinal)
             && int.TryParse(option.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)

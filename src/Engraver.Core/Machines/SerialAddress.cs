@@ -7,5 +7,8 @@ namespace Engraver.Core.Machines;
 /// <param name="Flow">Flow control.</param>
 public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress
 {
-    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"serial://{Device}?baud={Baud}{Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}");
+    /// <summary>What opens the device; null for the default of the system.</summary>
+    public SerialDriver? Driver { get; init; }
+
+    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"serial://{Device}?baud={Baud}{Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}{SerialDrivers.OptionText(Driver)}");
 }

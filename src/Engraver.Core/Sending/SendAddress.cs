@@ -14,6 +14,9 @@ public sealed record SendAddress(string Device, int Baud, CharacterFrame Frame, 
     private const string Scheme = "serial://";
     private const int DefaultBaud = 9600;
 
+    /// <summary>What opens the device; null for the default of the system.</summary>
+    public SerialDriver? Driver { get; init; }
+
     /// <summary>The accepted rates, from the 110 of a teleprinter upwards.</summary>
     public static IReadOnlyList<int> Rates { get; } = [110, 300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200];
 
@@ -36,13 +39,14 @@ public sealed record SendAddress(string Device, int Baud, CharacterFrame Frame, 
         return read is not null;
     }
 
-    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Scheme}{Device}?baud={Baud}&frame={Frame.Name()}&flow={Flow.ToString().ToLowerInvariant()}");
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Scheme}{Device}?baud={Baud}&frame={Frame.Name()}&flow={Flow.ToString().ToLowerInvariant()}{SerialDrivers.OptionText(Driver)}");
 
     private static SendAddress? With(SendAddress address, string option) => option.Split('=') switch
     {
         ["flow", "none"] => address with { Flow = SerialFlow.None },
         ["flow", "xonxoff"] => address with { Flow = SerialFlow.XonXoff },
         ["flow", "rtscts"] => address with { Flow = SerialFlow.RtsCts },
+        ["driver", _] => SerialDrivers.Find(option) is { } driver ? address with { Driver = driver } : null,
         ["frame", var frame] => CharacterFrames.Find(frame) is { } found ? address with { Frame = found } : null,
         ["baud", var rate] => int.TryParse(rate, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && Rates.Contains(baud) ? address with { Baud = baud } : null,
         _ => null,

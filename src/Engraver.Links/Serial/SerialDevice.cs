@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using System.Text;
 using Engraver.Core.Machines;
 using Microsoft.Win32.SafeHandles;
 using static Engraver.Links.Serial.SerialNative;
@@ -25,13 +24,11 @@ internal sealed class SerialDevice : IDisposable
     /// rate.</exception>
     public static SerialDevice Open(SerialAddress address)
     {
-        var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call overwrites the error code
+        var device = SerialFile.OpenLocked(address, "SerialDevice.InUse");
         var bell = EventFd(0, EventFlags);
         try
         {
-            if (bell.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened"));
-            if (Lock(device, LockExclusive) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.InUse", address.Device));
+            if (bell.IsInvalid) throw SerialFile.Failure(address, Wording.Get("SerialDevice.CannotBeOpened"));
             Configure(device, address);
             return new SerialDevice(device, bell);
         }
@@ -109,10 +106,8 @@ internal sealed class SerialDevice : IDisposable
 
     private static void Configure(SafeFileHandle device, SerialAddress address)
     {
-        var settings = default(TerminalAttributes);
-        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.NotSerialLine"));
-        settings = SerialSettings.Apply(settings, address.Baud, address.Flow);
-        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.CannotBeConfigured"));
+        var settings = SerialSettings.Apply(SerialFile.Settings(device, address), address.Baud, address.Flow);
+        if (Control(device, SetSettings, ref settings) != 0) throw SerialFile.Failure(address, Wording.Get("SerialDevice.CannotBeConfigured"));
         if (Control(device, GetSettings, ref settings) != 0 || !SerialSettings.HasRate(settings, address.Baud))
             throw new ControllerLinkException(Wording.Get("SerialDevice.UnsupportedBaud", address.Device, address.Baud));
         _ = Control(device, Flush, FlushInput);
@@ -126,7 +121,4 @@ internal sealed class SerialDevice : IDisposable
 
     private static int ZeroOrThrow(int error) =>
         error is TryAgain or Interrupted ? 0 : throw new IOException(Marshal.GetPInvokeErrorMessage(error));
-
-    private static ControllerLinkException Failure(SerialAddress address, string what) =>
-        new(Wording.Get("SerialDevice.NoConnection", address.Device, what, Marshal.GetLastPInvokeErrorMessage()));
 }

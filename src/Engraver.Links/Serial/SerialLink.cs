@@ -1,188 +1,47 @@
-using System.Globalization;
-using System.IO.Pipelines;
 using System.Runtime.InteropServices;
 using Engraver.Core.Machines;
 
 namespace Engraver.Links.Serial;
 
-/// <summary>A link over an RS-232 line on Linux, or over a pseudo-terminal (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
-/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. When an adapter is unplugged, this wait and all reads
-/// and writes end with an <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
-public sealed class SerialLink : IControllerLink
+/// <summary>Opens links over serial lines (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit) with the driver of the address, by default
+/// <see cref="SerialDriver.Own"/> on Linux and <see cref="SerialDriver.Ports"/> on Windows and macOS.</summary>
+public static class SerialLink
 {
-    private static readonly TimeSpan s_pollInterval = TimeSpan.FromMilliseconds(10);
+    private static bool HasOwn => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le;
 
-    private readonly SerialDevice _device;
-    private readonly TimeProvider _time;
-    private readonly TimeSpan _writeTimeout;
-    private readonly Pipe _received = new(new PipeOptions(pauseWriterThreshold: 0, resumeWriterThreshold: 0, useSynchronizationContext: false));
-    private readonly Stream _incoming;
-    private readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
-    private readonly Lock _gate = new();
-    private TaskCompletionSource? _room;
-    private IOException? _failure;
+    /// <summary>The library has no native part for other processors of Linux.</summary>
+    private static bool HasPorts => OperatingSystem.IsWindows() || OperatingSystem.IsMacOS()
+        || (OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture is Architecture.X64 or Architecture.Arm64 or Architecture.Arm);
 
-    private SerialLink(SerialDevice device, SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
+    /// <summary>A sentence that states why the address cannot be opened on this computer; null if it can.</summary>
+    public static string? WhyUnsupported(SerialAddress address) => WhyUnsupported(address, HasOwn, HasPorts);
+
+    /// <summary>The same for a system that has some of the drivers.</summary>
+    internal static string? WhyUnsupported(SerialAddress address, bool hasOwn, bool hasPorts)
     {
-        _device = device;
-        _time = time;
-        _writeTimeout = writeTimeout;
-        _incoming = _received.Reader.AsStream();
-        Description = string.Create(CultureInfo.InvariantCulture, $"serial://{address.Device}?baud={address.Baud}");
-        Line = new SerialLine(address.Baud);
-        new Thread(Watch) { IsBackground = true, Name = Description }.Start();
+        ArgumentNullException.ThrowIfNull(address);
+        return (address.Driver, DriverOf(address, hasOwn)) switch
+        {
+            (_, SerialDriver.Own) when hasOwn => null,
+            (_, SerialDriver.Ports) when hasPorts => null,
+            (SerialDriver.Own, _) => Wording.Get("SerialLink.OwnUnsupported", address.Device),
+            (SerialDriver.Ports, _) => Wording.Get("SerialLink.PortsUnsupported", address.Device),
+            _ => Wording.Get("SerialLink.Unsupported"),
+        };
     }
-
-    /// <summary>A sentence that states why serial links cannot be opened on this computer; null if they can.</summary>
-    public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
-        ? null
-        : Wording.Get("SerialLink.LinuxOnly");
-
-    public string Description { get; }
-
-    public SerialLine? Line { get; }
 
     /// <summary>Opens the device exclusively.</summary>
     /// <param name="writeTimeout">Time without an accepted byte after which the link counts as lost.</param>
     /// <exception cref="ControllerLinkException">The device does not exist, it is not a serial line, or another program uses it.</exception>
-    /// <exception cref="PlatformNotSupportedException">See <see cref="WhyUnsupported"/>.</exception>
-    public static SerialLink Open(SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
+    /// <exception cref="PlatformNotSupportedException">See <see cref="WhyUnsupported(SerialAddress)"/>.</exception>
+    public static ISerialLink Open(SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(address);
         ArgumentNullException.ThrowIfNull(time);
         if (!SerialSettings.IsSupported(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a serial line");
-        if (WhyUnsupported is { } why) throw new PlatformNotSupportedException(why);
-        return new SerialLink(SerialDevice.Open(address), address, writeTimeout, time);
+        if (WhyUnsupported(address) is { } why) throw new PlatformNotSupportedException(why);
+        return DriverOf(address, HasOwn) == SerialDriver.Own ? TermiosLink.Open(address, writeTimeout, time) : PortsLink.Open(address, writeTimeout, time);
     }
 
-    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
-    {
-        while (!bytes.IsEmpty)
-        {
-            cancellation.ThrowIfCancellationRequested();
-            var (taken, room) = Send(bytes.Span);
-            bytes = bytes[taken..];
-            if (room is not null) await WaitForRoomAsync(room, cancellation).ConfigureAwait(false);
-        }
-    }
-
-    public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => _incoming.ReadAsync(buffer, cancellation);
-
-    /// <summary>Waits until the device has sent the accepted bytes. Closing then drops nothing: the system sends the bytes that are still in the
-    /// adapter.</summary>
-    /// <exception cref="IOException">The device was removed, or sent nothing within the time-out.</exception>
-    public async ValueTask DrainAsync(CancellationToken cancellation)
-    {
-        var (least, since) = (int.MaxValue, _time.GetTimestamp());
-        while (Unsent() is > 0 and var unsent)
-        {
-            if (unsent < least) (least, since) = (unsent, _time.GetTimestamp());
-            else if (_time.GetElapsedTime(since) > _writeTimeout) throw new IOException(Wording.Get("SerialLink.NothingAccepted", _writeTimeout.TotalSeconds));
-            await Task.Delay(s_pollInterval, _time, cancellation).ConfigureAwait(false);
-        }
-
-        _device.DrainsOnClose = true;
-    }
-
-    public async ValueTask DisposeAsync()
-    {
-        Fail(new IOException(Wording.Get("SerialLink.Closed")));
-        await _ended.Task.ConfigureAwait(false);
-    }
-
-    private int Unsent()
-    {
-        lock (_gate) return _failure is null ? _device.Unsent : throw new IOException(_failure.Message, _failure);
-    }
-
-    private (int Taken, Task? Room) Send(ReadOnlySpan<byte> bytes)
-    {
-        lock (_gate)
-        {
-            if (_failure is not null) throw new IOException(_failure.Message, _failure);
-            var taken = _device.Write(bytes);
-            if (taken > 0) return (taken, null);
-            _room ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-            _device.Ring();
-            return (0, _room.Task);
-        }
-    }
-
-    private async Task WaitForRoomAsync(Task room, CancellationToken cancellation)
-    {
-        try
-        {
-            await room.WaitAsync(_writeTimeout, _time, cancellation).ConfigureAwait(false);
-        }
-        catch (TimeoutException nothing)
-        {
-            throw new IOException(Wording.Get("SerialLink.NothingAccepted", _writeTimeout.TotalSeconds), nothing);
-        }
-    }
-
-    /// <summary>Runs on the thread: reads bytes, reports when bytes can be sent, and closes the device at the end.</summary>
-    private void Watch()
-    {
-        try
-        {
-            while (TryContinue(out var toSend)) HandleEvents(_device.Wait(toSend));
-        }
-        catch (IOException gone)
-        {
-            Fail(gone);
-        }
-
-        _received.Writer.Complete(_failure);
-        lock (_gate) _device.Dispose();
-        _ended.TrySetResult();
-    }
-
-    private bool TryContinue(out bool toSend)
-    {
-        lock (_gate)
-        {
-            toSend = _room is not null;
-            return _failure is null;
-        }
-    }
-
-    /// <summary>Handles events; bytes received before a hang-up are still read.</summary>
-    private void HandleEvents(short happened)
-    {
-        if ((happened & SerialNative.PollOut) != 0) SignalRoom(null);
-        while ((happened & SerialNative.PollIn) != 0 && _device.Read(_received.Writer.GetSpan(512)) is > 0 and var count)
-        {
-            _received.Writer.Advance(count);
-
-            // Without a threshold the flush completes at once; the reader runs on a separate thread.
-            _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
-        }
-
-        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("SerialLink.DeviceDisconnected"));
-    }
-
-    private void Fail(IOException failure)
-    {
-        lock (_gate)
-        {
-            if (_failure is not null) return;
-            _failure = failure;
-            _device.Ring();
-        }
-
-        SignalRoom(failure);
-    }
-
-    private void SignalRoom(IOException? failure)
-    {
-        TaskCompletionSource? waiting;
-        lock (_gate)
-        {
-            waiting = _room;
-            _room = null;
-        }
-
-        if (failure is null) waiting?.TrySetResult();
-        else waiting?.TrySetException(failure);
-    }
+    private static SerialDriver DriverOf(SerialAddress address, bool hasOwn) => address.Driver ?? (hasOwn ? SerialDriver.Own : SerialDriver.Ports);
 }

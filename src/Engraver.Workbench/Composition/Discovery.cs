@@ -24,7 +24,7 @@ public static class Discovery
     }
 
     /// <summary>The serial devices of this computer.</summary>
-    public static IReadOnlyList<string> Devices => SerialDeviceList.Find();
+    public static IReadOnlyList<string> Devices => SerialDeviceList.Present;
 
     /// <summary>The desktop's settings file of this user.</summary>
     public static string UserSettings => UserFiles.DesktopSettingsFile;

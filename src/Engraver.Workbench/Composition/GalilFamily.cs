@@ -15,7 +15,7 @@ internal static class GalilFamily
     {
         Driver = Driver,
         Accepts = address => address is TcpAddress or SerialAddress or SimulatedAddress,
-        RefusalOf = address => address is SerialAddress ? SerialLink.WhyUnsupported : null,
+        RefusalOf = address => address is SerialAddress serial ? SerialLink.WhyUnsupported(serial) : null,
         Connect = (address, time, keepsRecord, profile) => address switch
         {
             TcpAddress tcp => MachineConnection.OverNetwork(Driver, tcp, time, () => ControllerSession.HandlesTaken),

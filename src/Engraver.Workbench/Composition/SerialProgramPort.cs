@@ -8,9 +8,9 @@ namespace Engraver.Workbench.Composition;
 /// <summary>A serial port for programs, based on the serial link of this program. The sender handles XON and XOFF; the driver handles RTS and CTS.</summary>
 public sealed class SerialProgramPort : IProgramPort
 {
-    private readonly SerialLink _link;
+    private readonly ISerialLink _link;
 
-    private SerialProgramPort(SerialLink link) => _link = link;
+    private SerialProgramPort(ISerialLink link) => _link = link;
 
     /// <summary>Opens the port exclusively.</summary>
     /// <param name="longestHold">Maximum time in which a line with RTS and CTS accepts no character.</param>
@@ -19,7 +19,7 @@ public sealed class SerialProgramPort : IProgramPort
     public static SerialProgramPort Open(SendAddress address, TimeSpan longestHold, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(address);
-        var port = new SerialAddress(address.Device, address.Baud, address.Flow == SerialFlow.RtsCts ? SerialFlow.RtsCts : SerialFlow.None);
+        var port = new SerialAddress(address.Device, address.Baud, address.Flow == SerialFlow.RtsCts ? SerialFlow.RtsCts : SerialFlow.None) { Driver = address.Driver };
         return new SerialProgramPort(SerialLink.Open(port, longestHold, time));
     }
 

@@ -68,6 +68,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
     [Theory]
     [InlineData("serial:///dev/ttyS3?baud=57600&flow=xonxoff")]
     [InlineData("serial:///dev/ttyS0?baud=19200&flow=rtscts")]
+    [InlineData("serial:///dev/ttyS0?baud=19200&flow=none&driver=ports")]
     [InlineData("tcp://10.0.0.5:5002")]
     [InlineData("sim:?speed=1")]
     [InlineData("sim:?speed=max")]
@@ -78,6 +79,28 @@ public sealed class ConnectTests(DesktopFixture fixture)
 
         Assert.Equal(address, here.Window.Model.Connect.Address);
         Assert.True(here.Find<Button>("ConnectButton").IsEffectivelyEnabled);
+        here.Hands.Press(Key.Escape);
+    });
+
+    [Fact]
+    public Task A_device_of_the_list_is_the_device_of_the_address() => fixture.WithOperator(here =>
+    {
+        here.Window.Model.Connect.FindDevices = () => ["COM3", "COM10"];
+        Open(here);
+        here.Click(here.Find<RadioButton>("SerialChoice"));
+        var list = here.Find<ComboBox>("DeviceList");
+        Assert.True(list.IsEffectivelyVisible);
+        Assert.Equal(["COM3", "COM10"], list.Items.Cast<string>());
+
+        list.SelectedItem = "COM10";
+
+        Assert.Equal("serial://COM10?baud=19200&flow=rtscts", here.Window.Model.Connect.Address);
+        here.Window.Model.Connect.Device = "COM7";
+        Assert.Null(here.Window.Model.Connect.ListedDevice);
+        here.Hands.Press(Key.Escape);
+        here.Window.Model.Connect.FindDevices = () => [];
+        Open(here);
+        Assert.False(list.IsVisible);
         here.Hands.Press(Key.Escape);
     });
 

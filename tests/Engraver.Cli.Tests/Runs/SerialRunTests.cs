@@ -121,14 +121,15 @@ public class SerialRunTests
     }
 
     [Theory]
-    [InlineData("stream")]
-    [InlineData("calls")]
-    public async Task A_pulled_cable_is_exit_4_and_the_machine_stops_itself(string mode)
+    [InlineData("stream", "own")]
+    [InlineData("calls", "own")]
+    [InlineData("stream", "ports")]
+    public async Task A_pulled_cable_is_exit_4_and_the_machine_stops_itself(string mode, string driver)
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
         await using var controller = await ServeAsync(folder, Slowly);
-        var running = RunByItsClockAsync(folder, controller, CancellationToken.None, SampleDrawing.PathOf("paper-001"), "--mode", mode);
+        var running = RunByItsClockAsync(folder, controller, driver, CancellationToken.None, SampleDrawing.PathOf("paper-001"), "--mode", mode);
         await CuttingAsync(controller, running, patience.Token);
         controller.DropConnections();
         var cutAt = controller.Status.Sample;
@@ -141,15 +142,16 @@ public class SerialRunTests
     }
 
     [Theory]
-    [InlineData("stream")]
-    [InlineData("calls")]
-    public async Task A_stop_at_19200_baud_is_exit_5_with_the_machine_at_rest_and_the_tool_off(string mode)
+    [InlineData("stream", "own")]
+    [InlineData("calls", "own")]
+    [InlineData("stream", "ports")]
+    public async Task A_stop_at_19200_baud_is_exit_5_with_the_machine_at_rest_and_the_tool_off(string mode, string driver)
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
         using var stop = new CancellationTokenSource();
         await using var controller = await ServeAsync(folder, Slowly);
-        var running = RunByItsClockAsync(folder, controller, stop.Token, SampleDrawing.PathOf("paper-001"), "--mode", mode);
+        var running = RunByItsClockAsync(folder, controller, driver, stop.Token, SampleDrawing.PathOf("paper-001"), "--mode", mode);
         await CuttingAsync(controller, running, patience.Token);
         await stop.CancelAsync();
         var run = await running;
@@ -162,6 +164,8 @@ public class SerialRunTests
     [Theory]
     [InlineData(ExitCode.LinkLost, "run", "DRAWING", "--connect", "serial:///dev/no-such-device")]
     [InlineData(ExitCode.LinkLost, "run", "DRAWING", "--connect", "serial:///dev/null?flow=none")]
+    [InlineData(ExitCode.LinkLost, "run", "DRAWING", "--connect", "serial:///dev/no-such-device?driver=ports")]
+    [InlineData(ExitCode.Usage, "run", "DRAWING", "--connect", "serial:///dev/ttyS0?driver=usb")]
     [InlineData(ExitCode.Usage, "run", "DRAWING", "--connect", "serial:///dev/ttyS0?baud=7")]
     [InlineData(ExitCode.Usage, "simulate", "--serial", "/no/such/folder/tty")]
     [InlineData(ExitCode.Usage, "simulate", "--serial", "DRAWING")]
@@ -192,12 +196,12 @@ public class SerialRunTests
         return controller;
     }
 
-    private static Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, params string[] args) => RunByItsClockAsync(folder, controller, CancellationToken.None, args);
+    private static Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, params string[] args) => RunByItsClockAsync(folder, controller, "own", CancellationToken.None, args);
 
-    private static async Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, CancellationToken stop, params string[] args)
+    private static async Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, string driver, CancellationToken stop, params string[] args)
     {
         var clock = await controller.ListenClockAsync(CancellationToken.None);
-        var address = string.Create(CultureInfo.InvariantCulture, $"serial://{folder.PathOf("tty")}?baud=19200&clock={clock.Port}");
+        var address = string.Create(CultureInfo.InvariantCulture, $"serial://{folder.PathOf("tty")}?baud=19200&driver={driver}&clock={clock.Port}");
         return await CliRun.RunAsync(stop, ["run", .. args, "--connect", address, "--json", "--journal", folder.PathOf("run.jsonl")]);
     }
 

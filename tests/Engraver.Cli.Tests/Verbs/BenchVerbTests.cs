@@ -92,6 +92,36 @@ public class BenchVerbTests
         Assert.InRange(Number(row[9]), 0.7, Number(row[5]));
     }
 
+    [Fact]
+    public async Task A_stop_is_measured_with_the_chosen_driver_of_the_serial_device()
+    {
+        var run = await CliRun.RunAsync("bench", "stop", "--serial", "115200", "--driver", "ports", "--presses", "1", "--fault", "none");
+        var row = run.Out.TrimEnd('\n').Split('\n')[^1].Split('|', StringSplitOptions.TrimEntries);
+
+        Assert.Equal((ExitCode.Done, "none", "1", "0"), (run.ExitCode, row[1], row[2], row[4]));
+    }
+
+    /// <summary>Times are not checked: every end of a link is reported with both drivers, and the device is free again where it still exists.</summary>
+    [Fact]
+    public async Task Both_drivers_of_serial_devices_have_a_row_for_an_exchange_and_for_each_end()
+    {
+        var run = await CliRun.RunAsync("bench", "links", "--exchanges", "5", "--rest", "0.1");
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        var tables = run.Out.TrimEnd('\n').Split("\n\n").Select(table => table.Split('\n')[2..].Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList()).ToList();
+        Assert.Equal(["own", "ports"], tables[0].Select(row => row[1]));
+        Assert.Equal(12, tables[1].Count);
+        Assert.All(tables[1], row => Assert.DoesNotContain("not reported", row[3], StringComparison.Ordinal));
+        Assert.All(tables[1], row => Assert.Equal(row[1].Contains("vanishes", StringComparison.Ordinal), row[6].Length == 0));
+    }
+
+    [Theory]
+    [InlineData("links", "--exchanges", "0")]
+    [InlineData("links", "--rest", "0")]
+    [InlineData("stop", "--driver", "ports")]
+    [InlineData("stop", "--driver", "usb", "--serial", "19200")]
+    public async Task What_is_no_measurement_of_serial_devices_is_a_usage_error(params string[] args) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(["bench", .. args])).ExitCode);
+
     [Theory]
     [InlineData("--presses", "0")]
     [InlineData("--fault", "flood")]

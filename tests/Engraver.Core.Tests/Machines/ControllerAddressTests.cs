@@ -14,6 +14,8 @@ public class ControllerAddressTests
         Assert.Equal(new SerialAddress("/dev/ttyUSB0", 115200, SerialFlow.None), ControllerAddress.Parse("serial:///dev/ttyUSB0?baud=115200&flow=none"));
         Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.XonXoff), ControllerAddress.Parse("serial:///dev/ttyS0?flow=xonxoff"));
         Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.RtsCts), ControllerAddress.Parse("serial:///dev/ttyS0?flow=rtscts"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 9600) { Driver = SerialDriver.Ports }, ControllerAddress.Parse("serial:///dev/ttyS0?driver=ports&baud=9600"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200) { Driver = SerialDriver.Own }, ControllerAddress.Parse("/dev/ttyS0?driver=own"));
         Assert.Equal(new SimulatedAddress(double.PositiveInfinity) { HasExplicitSpeed = false }, ControllerAddress.Parse("sim:"));
         Assert.Equal(new SimulatedAddress(double.PositiveInfinity), ControllerAddress.Parse("sim:?speed=max"));
         Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
@@ -42,6 +44,8 @@ public class ControllerAddressTests
     [InlineData("serial:///dev/ttyS0?baud=9600")]
     [InlineData("serial://COM3?baud=115200&flow=none")]
     [InlineData("serial:///dev/ttyS0?baud=19200&flow=xonxoff")]
+    [InlineData("serial:///dev/ttyS0?baud=19200&driver=ports")]
+    [InlineData("serial:///dev/ttyS0?baud=9600&flow=none&driver=own")]
     [InlineData("sim:")]
     [InlineData("sim:?speed=2.5")]
     public void An_address_is_told_as_it_is_typed(string text) => Assert.Equal(text, ControllerAddress.Parse(text).Typed);
@@ -75,5 +79,16 @@ public class ControllerAddressTests
         var refusal = Assert.Throws<FormatException>(() => ControllerAddress.Parse(text));
 
         Assert.Contains("tcp://HOST:PORT", refusal.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("usb")]
+    [InlineData("")]
+    [InlineData("Ports")]
+    public void An_unknown_driver_is_named_with_those_that_exist(string driver)
+    {
+        var refused = Assert.Throws<FormatException>(() => ControllerAddress.Parse($"serial://COM3?driver={driver}&baud=9600"));
+
+        Assert.Equal($"'serial://COM3?driver={driver}&baud=9600': '{driver}' is not a driver of serial devices. Use one of own, ports, or omit driver=.", refused.Message);
     }
 }

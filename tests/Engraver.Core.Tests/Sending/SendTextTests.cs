@@ -94,6 +94,8 @@ public class SendTextTests
         Assert.Equal(new SendAddress("/dev/ttyS0", 300, CharacterFrame.SevenEven, SerialFlow.RtsCts), address);
         Assert.True(SendAddress.TryParse(address.ToString(), out var again));
         Assert.Equal(address, again);
+        Assert.True(SendAddress.TryParse("serial://COM3?driver=ports", out var chosen));
+        Assert.Equal((SerialDriver.Ports, "serial://COM3?baud=9600&frame=8N1&flow=xonxoff&driver=ports"), (chosen.Driver, chosen.ToString()));
         Assert.True(SendAddress.TryParse("serial:///dev/ttyS0", out var usual));
         Assert.Equal(new SendAddress("/dev/ttyS0", 9600, CharacterFrame.EightNone, SerialFlow.XonXoff), usual);
     }
@@ -105,5 +107,6 @@ public class SendTextTests
     [InlineData("serial:///dev/ttyS0?frame=7N1")]
     [InlineData("serial:///dev/ttyS0?flow=hardware")]
     [InlineData("serial:///dev/ttyS0?speed=1")]
+    [InlineData("serial:///dev/ttyS0?driver=usb")]
     public void What_is_no_line_is_refused(string typed) => Assert.False(SendAddress.TryParse(typed, out _));
 }

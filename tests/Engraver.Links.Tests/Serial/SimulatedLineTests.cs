@@ -83,7 +83,7 @@ public sealed class SimulatedLineTests : IDisposable
     }
 
     /// <summary>The echo and the reply, up to its prompt.</summary>
-    private async Task<string> AnswerAsync(SerialLink line)
+    private async Task<string> AnswerAsync(ISerialLink line)
     {
         var heard = new StringBuilder();
         var some = new byte[64];

@@ -105,6 +105,38 @@ public sealed class MachineJobTests : IDisposable
         Assert.False(machine.Status.ToolCommanded);
     }
 
+    /// <summary>Every job opens the line again, and so does the session after it.</summary>
+    [Theory]
+    [InlineData(SerialDriver.Own)]
+    [InlineData(SerialDriver.Ports)]
+    public async Task A_serial_line_carries_a_job_a_stop_a_lost_cable_and_the_next_connection(SerialDriver driver)
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        var line = Path.Combine(_folder.FullName, "tty");
+        await controller.ServeSerialAsync(line, 115200, _limit.Token);
+        var address = new SerialAddress(line, 115200) { Driver = driver };
+        await using var machine = new MachineSession(TimeProvider.System);
+
+        var identity = await machine.Connection.ConnectAsync(address, _limit.Token);
+        Assert.Equal(JobOutcome.Complete, (await RunAsync(machine, MachineBench.Job())).Result.Outcome);
+
+        var stopped = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+        machine.Controls.Stop();
+        Assert.Equal(JobOutcome.Stopped, (await stopped.WaitAsync(_limit.Token)).Result.Outcome);
+        await SeenAsync(machine, status => status is { State: MachineState.Stopped, ToolCommanded: false });
+
+        await machine.Connection.DisconnectAsync();
+        Assert.Equal(identity.Model, (await machine.Connection.ConnectAsync(address, _limit.Token)).Model);
+        var cut = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+        controller.DropConnections();
+        Assert.Equal(JobOutcome.LinkLost, (await cut.WaitAsync(_limit.Token)).Result.Outcome);
+
+        await machine.Connection.ConnectAsync(address, _limit.Token);
+        Assert.Equal(JobOutcome.Complete, (await RunAsync(machine, MachineBench.Job())).Result.Outcome);
+    }
+
     [Fact]
     public async Task Abort_in_a_job_over_a_serial_line_stops_it_and_leaves_the_motors_on()
     {

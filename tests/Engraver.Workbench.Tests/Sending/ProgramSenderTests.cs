@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Machines;
 using Engraver.Core.Sending;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -110,12 +111,13 @@ public class ProgramSenderTests
 
     /// <summary>The receiver of a real terminal reads irregularly, and pauses and resumes the sender at random.</summary>
     [Theory]
-    [InlineData(CharacterFrame.SevenEven, 1)]
-    [InlineData(CharacterFrame.EightNone, 2)]
-    public async Task Over_a_pseudo_terminal_every_character_comes_in_order_with_its_parity_however_often_it_is_held(CharacterFrame frame, int seed)
+    [InlineData(CharacterFrame.SevenEven, 1, SerialDriver.Own)]
+    [InlineData(CharacterFrame.EightNone, 2, SerialDriver.Own)]
+    [InlineData(CharacterFrame.SevenEven, 3, SerialDriver.Ports)]
+    public async Task Over_a_pseudo_terminal_every_character_comes_in_order_with_its_parity_however_often_it_is_held(CharacterFrame frame, int seed, SerialDriver driver)
     {
         using var cable = new PseudoTerminalPair();
-        var address = new SendAddress(cable.Device, 115200, frame, Engraver.Core.Machines.SerialFlow.XonXoff);
+        var address = new SendAddress(cable.Device, 115200, frame, SerialFlow.XonXoff) { Driver = driver };
         var lines = SendText.Lines(Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(1, 150).Select(i => $"\t{i:000}\t01\t000\t+{i * 37:000000}\n"))));
         var job = SendText.Encode(lines, new SendFormat { LeaderNuls = 20, TrailerNuls = 20, Start = "%\r\n" }, frame).Job!;
         var receiver = new ProgramReceiver(frame);
@@ -129,11 +131,13 @@ public class ProgramSenderTests
         Assert.Equal((0, "%\r\n" + string.Concat(lines.Select(one => Encoding.ASCII.GetString(one.Span) + "\r\n"))), (receiver.Damaged, Encoding.ASCII.GetString([.. receiver.Characters])));
     }
 
-    [Fact]
-    public async Task A_pulled_adapter_ends_the_sending_with_the_lines_that_are_out()
+    [Theory]
+    [InlineData(SerialDriver.Own)]
+    [InlineData(SerialDriver.Ports)]
+    public async Task A_pulled_adapter_ends_the_sending_with_the_lines_that_are_out(SerialDriver driver)
     {
         var cable = new PseudoTerminalPair();
-        var address = new SendAddress(cable.Device, 115200, CharacterFrame.EightNone, Engraver.Core.Machines.SerialFlow.XonXoff);
+        var address = new SendAddress(cable.Device, 115200, CharacterFrame.EightNone, SerialFlow.XonXoff) { Driver = driver };
         await using var line = SerialProgramPort.Open(address, s_patience, TimeProvider.System);
         var pulling = Task.Run(() =>
         {
