@@ -22,14 +22,14 @@ internal sealed class PlotsBenchmark(DesktopSession session, ShellWindow window,
     {
         Await(session.Desk.Queue.RunAsync("OPEN", drawing));
         Await(session.Desk.SettleAsync());
-        var resident = Resident();
+        var before = GC.GetTotalMemory(forceFullCollection: true);
         var watch = Stopwatch.StartNew();
         window.Palettes.Show("Plots");
         desktop.Step();
         var plot = window.GetVisualDescendants().OfType<PlotSurface>().Single();
         desktop.StepUntil(() => plot.Content.Plan is not null, s_timeout);
         desktop.Step();
-        Report($"{plot.Content.Plan!.Count:N0} samples, first picture: {watch.Elapsed.TotalMilliseconds:0} ms, memory: +{(Resident() - resident) / 1e6:0} MB");
+        Report($"{plot.Content.Plan!.Count:N0} samples, first picture: {watch.Elapsed.TotalMilliseconds:0} ms, memory: {(GC.GetTotalMemory(forceFullCollection: true) - before) / 1e6:0} MB");
         output.WriteLine("| Frame | frames | p50 ms | p99 ms | worst ms |");
         output.WriteLine("|---|---:|---:|---:|---:|");
         var whole = plot.Content.End;
@@ -40,7 +40,6 @@ internal sealed class PlotsBenchmark(DesktopSession session, ShellWindow window,
         }
 
         Measure("position of the playback", frame => session.Desk.Derived.MoveTo(session.Desk.Derived.TotalSeconds * frame / Frames));
-        Report($"memory: +{(Resident() - resident) / 1e6:0} MB");
     }
 
     private void Measure(string what, Action<int> change)
@@ -53,12 +52,6 @@ internal sealed class PlotsBenchmark(DesktopSession session, ShellWindow window,
             return watch.Elapsed.TotalMilliseconds;
         }).Order().ToArray();
         Report($"| {what} | {Frames} | {times[Frames / 2]:0.0} | {times[Frames * 99 / 100]:0.0} | {times[^1]:0.0} |");
-    }
-
-    private static long Resident()
-    {
-        using var self = Process.GetCurrentProcess();
-        return self.WorkingSet64;
     }
 
     private void Report(FormattableString line) => output.WriteLine(line.ToString(CultureInfo.InvariantCulture));

@@ -60,6 +60,7 @@ internal static class PlotPicture
         StyleAxes(plot, content.Axis, colours, isLast: ReferenceEquals(panel, content.Panels[^1]));
         AddTitle(plot, TitleOf(content, panel), colours);
         if (hasLegend) ShowLegend(plot, colours);
+        else plot.HideLegend(); // named curves show one otherwise
         plot.Axes.SetLimits(0.0, Math.Max(content.End, double.Epsilon), low, high);
         plot.Axes.Rules.Add(new LockedVertical(plot.Axes.Left, low, high));
         plot.Axes.Rules.Add(new MaximumBoundary(plot.Axes.Bottom, plot.Axes.Left, new AxisLimits(0.0, content.End, low, high)));

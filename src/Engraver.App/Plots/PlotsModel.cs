@@ -37,7 +37,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         Panels = [.. PlotPanel.All.Select(panel => new PlotToggle(panel, desk, this))];
         Export = new RelayCommand(() => _desk.Queue.RunAsync("PLOTEXPORT"), () => !IsEmpty);
         desk.Notifications.Changed += Refresh;
-        desk.Derived.ToolMoved += () => OnPropertyChanged(nameof(Position));
+        desk.Derived.ToolMoved += RefreshPosition;
         Refresh();
     }
 
@@ -121,7 +121,6 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     {
         _desk.Derived.MoveTo(Content.Plan?.Convert(Content.Axis, place, PlotAxis.Time) ?? place);
         _desk.Derived.RefreshToolPosition();
-        OnPropertyChanged(nameof(Values));
     }
 
     internal void Refresh()
@@ -163,6 +162,13 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         foreach (var toggle in Panels) toggle.Refresh();
         Export.RaiseCanExecuteChanged();
         OnPropertyChanged(null);
+    }
+
+    private void RefreshPosition()
+    {
+        if (IsEmpty) return;
+        OnPropertyChanged(nameof(Position));
+        if (_pointed is null) OnPropertyChanged(nameof(Values));
     }
 
     private void RefreshMarks()

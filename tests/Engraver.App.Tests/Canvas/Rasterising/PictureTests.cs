@@ -166,6 +166,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     {
         here.Hands.Resize(s_usual);
         Open(here, "nameplate.dxf");
+        here.Window.Model.Connect.FindDevices = () => ["/dev/ttyUSB0", "/dev/ttyUSB1"];
         here.Window.Model.Connect.Open();
         here.Window.Model.Connect.IsSerial = true;
         here.Window.Model.Connect.Device = "/dev/ttyUSB0";
