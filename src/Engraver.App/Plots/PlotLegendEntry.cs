@@ -1,4 +1,3 @@
-using Engraver.App.Texts;
 using Engraver.Workbench.Plots;
 
 namespace Engraver.App.Plots;
@@ -12,11 +11,9 @@ public sealed record PlotLegendEntry(string Name, string Brush)
     public static IReadOnlyList<PlotLegendEntry> Of(PlotContent content)
     {
         ArgumentNullException.ThrowIfNull(content);
-        var hasAxes = content.Panels.Any(panel => panel.Quantities.Count > 1);
-        return [.. content.Series.SelectMany(series => hasAxes ? (IEnumerable<PlotLegendEntry>)[OfAxis(series, "X", ""), OfAxis(series, "Y", "Second")] : [new PlotLegendEntry(PlotPicture.MotionName(series), BrushOf(series, ""))])];
+        if (content.Panels.MaxBy(panel => panel.Quantities.Count) is not { } widest) return [];
+        return [.. content.Series.SelectMany(series => Enumerable.Range(0, widest.Quantities.Count).Select(curve => new PlotLegendEntry(PlotPicture.NameOf(series, widest, curve), BrushOf(series, curve))))];
     }
 
-    private static PlotLegendEntry OfAxis(PlotSeries series, string axis, string curve) => new(Text.Get("Plots.CurveOfAxis", PlotPicture.MotionName(series), axis), BrushOf(series, curve));
-
-    private static string BrushOf(PlotSeries series, string curve) => $"Plot{series.Role}{curve}Brush";
+    private static string BrushOf(PlotSeries series, int curve) => curve == 0 ? $"Plot{series.Role}Brush" : $"Plot{series.Role}SecondBrush";
 }

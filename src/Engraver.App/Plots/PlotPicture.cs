@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Plots;
 using ScottPlot;
 using ScottPlot.AxisRules;
@@ -94,11 +95,7 @@ internal static class PlotPicture
     private static (double Low, double High) RangeOf(PlotContent content, PlotPanel panel)
     {
         var (low, high) = (0.0, 0.0);
-        foreach (var value in panel.Quantities.SelectMany(quantity => content.Series.SelectMany(series => series.Motion.Of(quantity) ?? [])))
-        {
-            if (value < low) low = value;
-            if (value > high) high = value;
-        }
+        foreach (var extremes in panel.Quantities.SelectMany(quantity => content.Series.Select(series => series.Motion.Extremes(quantity)))) (low, high) = (Math.Min(low, extremes.Low), Math.Max(high, extremes.High));
 
         var largest = Math.Max(high, -low);
         foreach (var limit in content.Limits.Where(limit => panel.Quantities.Contains(limit.Quantity) && Math.Abs(limit.Value) <= MaxLimitRatio * largest)) (low, high) = (Math.Min(low, limit.Value), Math.Max(high, limit.Value));
@@ -122,7 +119,7 @@ internal static class PlotPicture
                         Color = Of(colours.Of(series.Role, curve)),
                         LineWidth = LineWidth,
                         MarkerStyle = MarkerStyle.None,
-                        LegendText = number == 0 ? NameOf(series, panel, quantity) : "",
+                        LegendText = number == 0 ? NameOf(series, panel, curve) : "",
                     });
                 }
             }
@@ -130,14 +127,12 @@ internal static class PlotPicture
     }
 
     /// <summary>Name of a curve: its motion, with the axis where the plot has a curve for each axis.</summary>
-    private static string NameOf(PlotSeries series, PlotPanel panel, PlotQuantity quantity)
+    /// <param name="curve">Index of the quantity in its plot.</param>
+    public static string NameOf(PlotSeries series, PlotPanel panel, int curve)
     {
-        var motion = MotionName(series);
-        return panel.Quantities.Count > 1 ? Text.Get("Plots.CurveOfAxis", motion, Text.Get("PlotAxis." + quantity)) : motion;
+        var motion = series.Role == PlotRole.Compared ? series.Name : Text.Get("PlotMotion." + series.Role);
+        return panel.Quantities.Count > 1 ? Text.Get("Plots.CurveOfAxis", motion, MachineAxes.Names[curve]) : motion;
     }
-
-    /// <summary>Name of a motion in legend and values.</summary>
-    public static string MotionName(PlotSeries series) => series.Role == PlotRole.Compared ? series.Name : Text.Get("PlotMotion." + series.Role);
 
     private static void AddLimits(Plot plot, PlotContent content, PlotPanel panel, PlotColours colours, double low, double high)
     {

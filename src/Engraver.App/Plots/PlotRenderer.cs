@@ -33,6 +33,11 @@ internal sealed class PlotRenderer : IPlotRenderer
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(width);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(height);
-        Dispatcher.UIThread.Invoke(() => draw(PlotPicture.Create(content, PlotColours.Of(Application.Current!, ThemeVariant.Light), 1.0, hasLegend: true)));
+        Dispatcher.UIThread.Invoke(() =>
+        {
+            var plots = PlotPicture.Create(content, PlotColours.Of(Application.Current!, ThemeVariant.Light), 1.0, hasLegend: true);
+            draw(plots);
+            foreach (var plot in plots.Subplots.GetPlots()) plot.Dispose();
+        });
     }
 }

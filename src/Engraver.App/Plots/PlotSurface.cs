@@ -5,6 +5,7 @@ using Avalonia.Input;
 using Avalonia.Media;
 using Avalonia.Media.Imaging;
 using Avalonia.Platform;
+using Engraver.App.Binding;
 using Engraver.Workbench.Plots;
 using ScottPlot;
 using ScottPlot.Interactivity;
@@ -23,7 +24,7 @@ namespace Engraver.App.Plots;
 /// <summary>The stacked plots in the window. ScottPlot draws them into a bitmap and handles the pointer (wheel and right button zoom, left button pans, middle
 /// button zooms to a rectangle); the position of the playback, the pointer and marked spans are drawn over the bitmap, so that they move without drawing
 /// the curves again. A click seeks.</summary>
-public sealed class PlotSurface : Control, IPlotControl
+public sealed class PlotSurface : Control, IPlotControl, IArrowKeyTarget
 {
     /// <summary>Movement of the pointer up to which a press and a release are a click.</summary>
     private const double ClickDistance = 3.0;
@@ -49,6 +50,7 @@ public sealed class PlotSurface : Control, IPlotControl
     private double _builtScale;
     private PlotContent _built = PlotContent.Nothing;
     private Avalonia.Point? _pressed;
+    private bool _isDragging;
 
     static PlotSurface() => AffectsRender<PlotSurface>(PositionProperty, PointedProperty, MarksProperty, PositionBrushProperty, PointedBrushProperty, MarkBrushProperty);
 
@@ -115,7 +117,7 @@ public sealed class PlotSurface : Control, IPlotControl
     }
 
     /// <summary>The visible range of the common axis.</summary>
-    public (double Start, double End) VisibleRange => Multiplot.Subplots.Count > 0 && Plot.Axes.Bottom is { } axis ? (axis.Min, axis.Max) : default;
+    public (double Start, double End) VisibleRange => HasPlots && Plot.Axes.Bottom is { } axis ? (axis.Min, axis.Max) : default;
 
     /// <summary>A part of the axis is visible, not the whole.</summary>
     public bool IsZoomed => _built is { End: > 0.0 and var whole, Panels.Count: > 0 } && VisibleRange is var (start, end) && (start > RangeTolerance * whole || end < (1.0 - RangeTolerance) * whole);
@@ -132,6 +134,9 @@ public sealed class PlotSurface : Control, IPlotControl
 
     public float DisplayScale { get; set; } = 1.0f;
 
+    /// <summary>Without a plot ScottPlot handles no input.</summary>
+    private bool HasPlots => Multiplot.Subplots.Count > 0;
+
     private double Scaling => TopLevel.GetTopLevel(this)?.RenderScaling ?? 1.0;
 
     /// <summary>Shows the whole axis.</summary>
@@ -141,7 +146,7 @@ public sealed class PlotSurface : Control, IPlotControl
     public void Show(double start, double end)
     {
         if (!(end > start)) return;
-        foreach (var plot in Multiplot.Subplots.GetPlots()) plot.Axes.SetLimitsX(Math.Max(start, 0.0), Math.Min(end, _built.End));
+        SetRange(start, end);
         Refresh();
     }
 
@@ -175,8 +180,8 @@ public sealed class PlotSurface : Control, IPlotControl
         ArgumentNullException.ThrowIfNull(context);
         context.FillRectangle(Brushes.Transparent, new Rect(Bounds.Size));
         var size = PixelSize.FromSize(Bounds.Size, Scaling);
-        if (Content.Panels.Count == 0 || size.Width < 1 || size.Height < 1) return;
-        if (_builtScale != Scaling) Build();
+        if (_built.Panels.Count == 0 || size.Width < 1 || size.Height < 1) return;
+        if (_builtScale != Scaling && !_isDragging) Build();
         if (_isOutdated || _bitmaps[_shown]?.PixelSize != size) Draw(size);
         using (context.PushRenderOptions(new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None }))
         {
@@ -190,7 +195,7 @@ public sealed class PlotSurface : Control, IPlotControl
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == ContentProperty) Rebuild();
+        if (change.Property == ContentProperty && !_isDragging) Rebuild();
         else if (change.Property == BoundsProperty) Refresh();
     }
 
@@ -206,11 +211,12 @@ public sealed class PlotSurface : Control, IPlotControl
             PointerUpdateKind.MiddleButtonPressed => new MiddleMouseDown(PixelOf(point.Position)),
             _ => null,
         };
-        if (action is null) return;
+        if (action is null || !HasPlots) return;
         Focus();
         e.Pointer.Capture(this);
         e.Handled = true;
         _pressed = point.Properties.PointerUpdateKind == PointerUpdateKind.LeftButtonPressed ? point.Position : null;
+        _isDragging = true;
         UserInputProcessor.Process(action);
     }
 
@@ -218,6 +224,7 @@ public sealed class PlotSurface : Control, IPlotControl
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerMoved(e);
+        if (!HasPlots) return;
         var at = e.GetPosition(this);
         if (_pressed is { } pressed && Avalonia.Point.Distance(pressed, at) > ClickDistance) _pressed = null;
         if (_pressed is null) UserInputProcessor.Process(new MouseMove(PixelOf(at)));
@@ -236,16 +243,25 @@ public sealed class PlotSurface : Control, IPlotControl
             MouseButton.Middle => new MiddleMouseUp(PixelOf(at)),
             _ => null,
         };
-        if (action is null) return;
+        if (action is null || !HasPlots) return;
         UserInputProcessor.Process(action);
         if (_pressed is not null && e.InitialPressMouseButton == MouseButton.Left && PlaceAt(at) is { } place) Sought?.Invoke(this, Math.Clamp(place, 0.0, Content.End));
-        _pressed = null;
+        EndDrag();
+    }
+
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
+    {
+        base.OnPointerCaptureLost(e);
+        if (!_isDragging) return;
+        UserInputProcessor.ResetState(this);
+        EndDrag();
     }
 
     protected override void OnPointerWheelChanged(PointerWheelEventArgs e)
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerWheelChanged(e);
+        if (!HasPlots) return;
         var pixel = PixelOf(e.GetPosition(this));
         if (e.Delta.Y != 0.0) UserInputProcessor.Process(e.Delta.Y > 0.0 ? new MouseWheelUp(pixel) : new MouseWheelDown(pixel));
         e.Handled = true;
@@ -261,14 +277,14 @@ public sealed class PlotSurface : Control, IPlotControl
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnKeyDown(e);
-        if (e.Handled || e.KeyModifiers != KeyModifiers.None || Multiplot.Subplots.Count == 0) return;
+        if (e.Handled || e.KeyModifiers != KeyModifiers.None || !HasPlots) return;
         var (start, end) = VisibleRange;
         var (middle, span) = ((start + end) / 2.0, end - start);
         (double Start, double End)? next = e.Key switch
         {
             Key.Home => (0.0, Content.End),
-            Key.Add or Key.OemPlus => (middle - (span / 2.0 / KeyZoom), middle + (span / 2.0 / KeyZoom)),
-            Key.Subtract or Key.OemMinus => (middle - (span / 2.0 * KeyZoom), middle + (span / 2.0 * KeyZoom)),
+            Key.Up => (middle - (span / 2.0 / KeyZoom), middle + (span / 2.0 / KeyZoom)),
+            Key.Down => (middle - (span / 2.0 * KeyZoom), middle + (span / 2.0 * KeyZoom)),
             Key.Left when Math.Min(start, KeyPan * span) is var step => (start - step, end - step),
             Key.Right when Math.Min(Content.End - end, KeyPan * span) is var step => (start + step, end + step),
             _ => null,
@@ -289,13 +305,26 @@ public sealed class PlotSurface : Control, IPlotControl
         }
     }
 
+    /// <summary>Content that changed during a drag is built at its end, so that the drag is not interrupted by a job that runs.</summary>
+    private void EndDrag()
+    {
+        (_pressed, _isDragging) = (null, false);
+        if (!ReferenceEquals(_built, Content)) Rebuild();
+    }
+
+    private void SetRange(double start, double end)
+    {
+        foreach (var plot in Multiplot.Subplots.GetPlots()) plot.Axes.SetLimitsX(Math.Max(start, 0.0), Math.Min(end, _built.End));
+    }
+
     private void Rebuild()
     {
         Build();
         InvalidateVisual();
     }
 
-    /// <summary>Makes the plots of the content; a range to which the operator has zoomed stays.</summary>
+    /// <summary>Makes the plots of the content; a range to which the operator has zoomed stays while the axis is the same. Also called while the control is
+    /// drawn, after a change of the scaling, so it does not ask for another drawing.</summary>
     private void Build()
     {
         (double, double)? kept = IsZoomed && _built.Axis == Content.Axis ? VisibleRange : null;
@@ -304,7 +333,7 @@ public sealed class PlotSurface : Control, IPlotControl
         (_builtScale, DisplayScale, _isOutdated) = (Scaling, (float)Scaling, true);
         Multiplot = PlotPicture.Create(Content, PlotColours.Of(this, ActualThemeVariant), Scaling, hasLegend: false);
         UserInputProcessor.ResetState(this);
-        if (kept is var (start, end) && start < Content.End) Show(start, end);
+        if (kept is var (start, end) && start < Content.End) SetRange(start, end);
     }
 
     /// <summary>Draws into the bitmap that is not on the screen.</summary>
@@ -349,7 +378,7 @@ public sealed class PlotSurface : Control, IPlotControl
     /// <summary>The place of the common axis at a point of the window; null beside the axis.</summary>
     private double? PlaceAt(Avalonia.Point point)
     {
-        if (Multiplot.Subplots.Count == 0 || Plot.LastRender.DataRect is not { Width: > 0.0f } field) return null;
+        if (!HasPlots || Plot.LastRender.DataRect is not { Width: > 0.0f } field) return null;
         var pixel = PixelOf(point);
         return field.ContainsX(pixel.X) ? Plot.GetCoordinates(pixel).X : null;
     }

@@ -3,6 +3,7 @@ using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
@@ -15,21 +16,18 @@ namespace Engraver.App.Plots;
 /// <summary>The page of plots: the planned motion, runs, and the values under the pointer.</summary>
 public sealed class PlotsModel : ObservableObject, IVisibilityAware
 {
-    /// <summary>A plan with more segments is sampled in the background.</summary>
-    private const int MaxSegmentsAtOnce = 20_000;
-
     /// <summary>Maximum number of selected entities whose spans are marked.</summary>
     private const int MaxMarkedEntities = 50;
 
     private readonly DesktopModel _desk;
     private bool _isPageVisible;
-    private (PlannedMotion? Motion, RecordedRun? Run, string? Compared, PlotAxis Axis, int Panels, bool IsReady) _shown;
+    private (PlannedMotion? Motion, SerialAddress? Line, RecordedRun? Run, string? Compared, PlotAxis Axis, int Panels, bool IsReady) _shown;
     private (IReadOnlyList<int>? Selection, PlotContent? Content) _marked;
     private (string? Drawing, RecordedRun? Run)? _listed;
     private double? _pointed;
 
-    /// <summary>Number of the last sampling; an earlier one is discarded.</summary>
-    private int _sampling;
+    /// <summary>The plan that is sampled in the background, and what cancels that; null for none.</summary>
+    private (PlannedMotion Motion, Action Cancel)? _sampling;
 
     public PlotsModel(DesktopModel desk)
     {
@@ -44,6 +42,9 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     public PlotContent Content { get; private set; } = PlotContent.Nothing;
 
     public bool IsEmpty => Content.Panels.Count == 0;
+
+    /// <summary>There is nothing to plot.</summary>
+    public bool HasNothing => IsEmpty && !IsSampling;
 
     /// <summary>Names and colours of the curves.</summary>
     public IReadOnlyList<PlotLegendEntry> Legend => PlotLegendEntry.Of(Content);
@@ -62,9 +63,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         get => Runs.FirstOrDefault(run => run.Journal == _desk.Session.Plots.ComparedJournal) ?? StoredRunChoice.None;
         set
         {
-            if (value is null || value.Journal == _desk.Session.Plots.ComparedJournal) return;
-            if (value.Journal is { } journal) _desk.Queue.RunAsync("PLOTCOMPARE", "File", journal);
-            else _desk.Queue.RunAsync("PLOTCOMPARE", "Off");
+            if (value is not null && value.Journal != _desk.Session.Plots.ComparedJournal) _ = CompareAsync(value.Journal);
         }
     }
 
@@ -84,7 +83,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     public double MinHeight => Content.Panels.Count == 0 ? 0.0 : (Content.Panels.Count * PlotPicture.MinRowHeight) + PlotPicture.AxisHeight;
 
     /// <summary>Place of the playback on the common axis.</summary>
-    public double Position => Content.Plan?.Convert(PlotAxis.Time, _desk.Derived.AtSeconds, Content.Axis) ?? _desk.Derived.AtSeconds;
+    public double Position => Reference?.Convert(PlotAxis.Time, _desk.Derived.AtSeconds, Content.Axis) ?? 0.0;
 
     /// <summary>Place under the pointer on the common axis; null for none.</summary>
     public double? Pointed
@@ -111,15 +110,25 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         }
     }
 
+    /// <summary>A plan with more segments is sampled in the background.</summary>
+    internal int MaxSegmentsAtOnce { get; set; } = 20_000;
+
     /// <summary>The sampling of a long plan in the background; completed when there is none.</summary>
     internal Task Sampled { get; private set; } = Task.CompletedTask;
+
+    /// <summary>A long plan is sampled in the background.</summary>
+    public bool IsSampling => _sampling is not null;
+
+    /// <summary>The motion that converts between time and path: the plan, otherwise a run; null without any.</summary>
+    private MotionSeries? Reference => Content.Plan ?? (Content.Series.Count > 0 ? Content.Series[0].Motion : null);
 
     private DesktopSettings Settings => _desk.Session.Settings.Current;
 
     /// <summary>Moves the playback to a place of the common axis.</summary>
     public void Seek(double place)
     {
-        _desk.Derived.MoveTo(Content.Plan?.Convert(Content.Axis, place, PlotAxis.Time) ?? place);
+        if (Content.Plan is not { } plan) return; // the playback is that of the plan
+        _desk.Derived.MoveTo(plan.Convert(Content.Axis, place, PlotAxis.Time));
         _desk.Derived.RefreshToolPosition();
     }
 
@@ -132,30 +141,49 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         }
 
         RefreshRuns();
-        var motion = _desk.Derived.Current.Motion;
-        if (_desk.Session.Plots.IsPlanNew && motion is { SegmentCount: > MaxSegmentsAtOnce })
+        if (_desk.Derived.Current.Motion is { } motion && motion.SegmentCount > MaxSegmentsAtOnce && _desk.Session.Plots.IsPlanNew)
         {
             Sample(motion);
             return;
         }
 
+        EndSampling();
         RefreshContent();
         RefreshMarks();
     }
 
-    /// <summary>A hidden page keeps no reference to an old plan.</summary>
+    /// <summary>A hidden page keeps no plan and no samples.</summary>
     private void Hide()
     {
-        _sampling++;
-        if (IsEmpty) return;
+        EndSampling();
+        _desk.Session.Plots.Forget();
+        if (!IsEmpty) ShowNothing();
+        _shown = default;
+    }
+
+    private void ShowNothing()
+    {
         (Content, Marks, _shown, _marked) = (PlotContent.Nothing, [], default, default);
         OnPropertyChanged(null);
+    }
+
+    private void EndSampling()
+    {
+        _sampling?.Cancel();
+        _sampling = null;
+    }
+
+    /// <summary>Selects a stored run by a command; if it fails, the list shows the previous choice again.</summary>
+    private async Task CompareAsync(string? journal)
+    {
+        await (journal is null ? _desk.Queue.RunAsync("PLOTCOMPARE", "Off") : _desk.Queue.RunAsync("PLOTCOMPARE", "File", journal));
+        OnPropertyChanged(nameof(Compared));
     }
 
     private void RefreshContent()
     {
         var (session, settings) = (_desk.Session, Settings);
-        var now = (_desk.Derived.Current.Motion, session.Machine.Runs.Recorded, session.Plots.ComparedJournal, settings.PlotAxis(), settings.ChosenPlots().Sum(panel => panel.Mask), true);
+        var now = (_desk.Derived.Current.Motion, _desk.Derived.Current.Line, session.Machine.Runs.Recorded, session.Plots.ComparedJournal, settings.PlotAxis(), settings.ChosenPlots().Sum(panel => panel.Mask), true);
         if (now == _shown) return;
         _shown = now;
         Content = session.Plots.Content(settings, CancellationToken.None);
@@ -179,23 +207,26 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
         var (plan, motion) = (Content.Plan, _desk.Derived.Current.Motion);
         Marks = plan is null || motion is null || selection.Count > MaxMarkedEntities
             ? []
-            : [.. selection.SelectMany(motion.TimesOfEntity).Select(span => (plan.Convert(PlotAxis.Time, span.Start, Content.Axis), plan.Convert(PlotAxis.Time, span.End, Content.Axis)))];
+            : [.. motion.TimesOf(selection).Select(span => (plan.Convert(PlotAxis.Time, span.Start, Content.Axis), plan.Convert(PlotAxis.Time, span.End, Content.Axis)))];
         OnPropertyChanged(nameof(Marks));
     }
 
-    /// <summary>Samples a long plan in the background; the page shows the plots when it is done.</summary>
+    /// <summary>Samples a long plan in the background; the page is empty until then, because the curves of another plan would have another axis.</summary>
     private void Sample(PlannedMotion motion)
     {
-        if (!Sampled.IsCompleted && ReferenceEquals(_shown.Motion, motion)) return;
-        var sampling = ++_sampling;
-        _shown = (motion, null, null, default, 0, false);
-        var (plots, settings) = (_desk.Session.Plots, Settings);
-        Sampled = ContinueAsync(Task.Run(() => plots.Content(settings, _desk.Queue.Closing)));
+        if (ReferenceEquals(_sampling?.Motion, motion)) return;
+        EndSampling();
+        var wanted = CancellationTokenSource.CreateLinkedTokenSource(_desk.Queue.Closing);
+        var (plots, settings, token) = (_desk.Session.Plots, Settings, wanted.Token);
+        _sampling = (motion, wanted.Cancel);
+        ShowNothing();
+        Sampled = ContinueAsync(Task.Run(() => plots.Content(settings, token), token));
 
         async Task ContinueAsync(Task sampled)
         {
             await sampled.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
-            if (sampled.IsCompletedSuccessfully && sampling == _sampling) Refresh();
+            if (sampled.IsCompletedSuccessfully && ReferenceEquals(_sampling?.Motion, motion)) Refresh();
+            wanted.Dispose();
         }
     }
 
@@ -213,7 +244,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     private string ValuesAt(double place)
     {
         var (axis, plan) = (Content.Axis, Content.Plan);
-        var motion = plan ?? Content.Series[0].Motion;
+        var motion = Reference!;
         var parts = new List<string>
         {
             Text.Get("PlotValue.Time", ClockText.Format(motion.Convert(axis, place, PlotAxis.Time), 2)),

@@ -152,7 +152,7 @@ public partial class ShellWindow : Window
 
     /// <summary>True for a key that the focused control handles itself.</summary>
     private static bool Uses(object? source, Key key) => HasTextFocus(source)
-        || (source is Slider or ComboBox or ComboBoxItem && key is (Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End or Key.PageUp or Key.PageDown))
+        || (source is Slider or ComboBox or ComboBoxItem or IArrowKeyTarget && key is (Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End or Key.PageUp or Key.PageDown))
         || (source is ComboBox { IsDropDownOpen: true } or ComboBoxItem && key is (Key.Enter or Key.Space));
 
     private void OnTyped(object? sender, TextInputEventArgs e)

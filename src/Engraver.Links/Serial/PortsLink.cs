@@ -156,6 +156,12 @@ internal sealed class PortsLink : ISerialLink
         {
             Fail(failure);
         }
+#pragma warning disable CA1031 // The root of a thread: an unknown failure of the library is a lost link, not the end of the program.
+        catch (Exception unknown)
+#pragma warning restore CA1031
+        {
+            Fail(new IOException(unknown.Message, unknown));
+        }
     }
 
     private void Fail(IOException failure)
@@ -175,9 +181,15 @@ internal sealed class PortsLink : ISerialLink
     /// <summary>Runs on a thread that is not awaited: no other one may depend on the library's return.</summary>
     private void Close()
     {
-        if (!_drainsOnClose) UntilFailure(_device.DiscardUnsent);
-        lock (_writing) UntilFailure(_device.Close);
-        _closed.TrySetResult();
+        try
+        {
+            if (!_drainsOnClose) UntilFailure(_device.DiscardUnsent);
+            lock (_writing) UntilFailure(_device.Close);
+        }
+        finally
+        {
+            _closed.TrySetResult();
+        }
     }
 
     /// <summary>Bytes for the device.</summary>

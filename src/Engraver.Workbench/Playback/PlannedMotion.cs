@@ -87,10 +87,13 @@ public sealed class PlannedMotion
     /// <summary>Start time of the first segment of a drawing entity; null if it is not cut.</summary>
     public double? TimeOfEntity(int entity) => First(_segmentOfEntity.Value, entity) is { } segment ? TimeOfSegment(segment) : null;
 
-    /// <summary>The spans of time in which a drawing entity is cut, in their order; empty if it is not cut. Takes linear time.</summary>
-    public IReadOnlyList<(double Start, double End)> TimesOfEntity(int entity)
+    /// <summary>The spans of time in which any of these drawing entities is cut, in their order. Takes linear time.</summary>
+    public IReadOnlyList<(double Start, double End)> TimesOf(IReadOnlyCollection<int> entities)
     {
-        if (First(_segmentOfEntity.Value, entity) is not { } first) return [];
+        ArgumentNullException.ThrowIfNull(entities);
+        var wanted = entities.ToHashSet();
+        var first = wanted.Min(entity => First(_segmentOfEntity.Value, entity)) ?? int.MaxValue;
+        if (first == int.MaxValue) return [];
         var (times, start, at) = (new List<(double, double)>(), -1, 0);
         for (var number = 0; number < _firstSegments.Length; number++)
         {
@@ -98,7 +101,7 @@ public sealed class PlannedMotion
             var segments = _program.Strokes[stroke].Sequences[sequence].Segments;
             for (var i = 0; i < segments.Count; i++, at++)
             {
-                var isOfEntity = at >= first && segments[i].EntityIndex == entity;
+                var isOfEntity = at >= first && wanted.Contains(segments[i].EntityIndex);
                 if (isOfEntity && start < 0) start = at;
                 if (isOfEntity || start < 0) continue;
                 times.Add((TimeOfSegment(start), TimeOfSegment(at)));

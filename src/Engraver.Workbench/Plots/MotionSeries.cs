@@ -4,6 +4,8 @@ namespace Engraver.Workbench.Plots;
 public sealed class MotionSeries
 {
     private readonly double[]?[] _values;
+    private readonly IReadOnlyList<Range>?[] _known;
+    private readonly (double Low, double High)?[] _extremes;
 
     /// <param name="source">Origin of the motion.</param>
     /// <param name="seconds">Time of each sample since the start of the motion; never decreases.</param>
@@ -13,7 +15,8 @@ public sealed class MotionSeries
     internal MotionSeries(MotionSource source, double[] seconds, double[] path, int[]? entities, params IEnumerable<(PlotQuantity Quantity, double[] Values)> values)
     {
         (Source, Seconds, Path, Entities) = (source, seconds, path, entities);
-        _values = new double[]?[Enum.GetValues<PlotQuantity>().Length];
+        var count = Enum.GetValues<PlotQuantity>().Length;
+        (_values, _known, _extremes) = (new double[]?[count], new IReadOnlyList<Range>?[count], new (double, double)?[count]);
         foreach (var (quantity, known) in values)
         {
             if (known.Length != seconds.Length) throw new ArgumentException("Columns of different lengths.", nameof(values));
@@ -75,11 +78,15 @@ public sealed class MotionSeries
     }
 
     /// <summary>The contiguous ranges of samples at which a quantity is known.</summary>
-    public IReadOnlyList<Range> KnownRanges(PlotQuantity quantity)
+    public IReadOnlyList<Range> KnownRanges(PlotQuantity quantity) => _known[(int)quantity] ??= FindKnown(Of(quantity));
+
+    /// <summary>The smallest and the largest known value of a quantity; both 0 if none is known.</summary>
+    public (double Low, double High) Extremes(PlotQuantity quantity) => _extremes[(int)quantity] ??= FindExtremes(Of(quantity));
+
+    private static List<Range> FindKnown(double[]? values)
     {
-        if (Of(quantity) is not { } values) return [];
         var (ranges, start) = (new List<Range>(), -1);
-        for (var i = 0; i <= values.Length; i++)
+        for (var i = 0; values is not null && i <= values.Length; i++)
         {
             var isKnown = i < values.Length && !double.IsNaN(values[i]);
             if (isKnown && start < 0) start = i;
@@ -89,5 +96,17 @@ public sealed class MotionSeries
         }
 
         return ranges;
+    }
+
+    private static (double Low, double High) FindExtremes(double[]? values)
+    {
+        var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+        foreach (var value in values ?? [])
+        {
+            if (value < low) low = value;
+            if (value > high) high = value;
+        }
+
+        return low <= high ? (low, high) : (0.0, 0.0);
     }
 }

@@ -15,8 +15,10 @@ public static class PlannedSeries
 
     private const double Percent = 100.0;
 
-    /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a twentieth of its amplitude.</summary>
-    private const double ArcStepDegrees = 2.5;
+    /// <summary>Largest angle of an arc between two samples, degrees: the acceleration of an axis changes by less than a tenth of its amplitude.</summary>
+    private const double ArcStepDegrees = 5.0;
+
+    private const int PartsOfArcInRamp = 4;
 
     /// <summary>Number of parts of a ramp of a rapid, where the speeds of two axes are combined.</summary>
     private const int PartsOfRamp = 8;
@@ -122,7 +124,7 @@ public static class PlannedSeries
                     foreach (var corner in (ReadOnlySpan<double>)[ramp - start, sequence.Length - ramp - start, end])
                     {
                         if (corner <= at || corner > end) continue;
-                        AddPiece(span, profile, kinematics, new PieceOfSegment(segment, from, start, at, corner));
+                        AddPiece(span, profile, kinematics, new PieceOfSegment(segment, from, start, at, corner), isRamp: start + at < ramp - 1e-9 || start + at >= sequence.Length - ramp - 1e-9);
                         at = corner;
                     }
                 }
@@ -132,23 +134,28 @@ public static class PlannedSeries
             }
         }
 
-        /// <summary>A piece in which the acceleration along the path does not change.</summary>
-        private void AddPiece(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece)
+        /// <summary>A piece in which the acceleration along the path does not change. In an arc that is cut while the speed changes, the acceleration is not linear
+        /// in time, so the piece is divided.</summary>
+        private void AddPiece(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, bool isRamp)
         {
-            var (segment, from) = (piece.Segment, piece.From);
-            var (first, second) = (piece.At / segment.Length, piece.End / segment.Length);
-            var inside = piece.SegmentStart + ((piece.At + piece.End) / 2.0);
-            AddSample(span, profile, kinematics, piece, first, piece.At, inside);
-            _path += _scale.ToMillimetres(SequenceKinematics.Direction(segment, from, (first + second) / 2.0) * (piece.End - piece.At)).Length;
-            AddSample(span, profile, kinematics, piece, second, piece.End, inside);
+            var (start, inside) = (piece.SegmentStart, piece.SegmentStart + ((piece.At + piece.End) / 2.0));
+            AddSample(span, profile, kinematics, piece, piece.At, inside);
+            var (at, from, to) = (piece.At, profile.TimeAt(start + piece.At), profile.TimeAt(start + piece.End));
+            var parts = isRamp && piece.Segment.Kind == VectorSegmentKind.Arc ? PartsOfArcInRamp : 1;
+            for (var part = 1; part <= parts; part++)
+            {
+                var end = part == parts ? piece.End : Math.Clamp(profile.DistanceAt(from + ((to - from) * part / parts)) - start, at, piece.End);
+                _path += _scale.ToMillimetres(SequenceKinematics.Direction(piece.Segment, piece.From, (at + end) / 2.0 / piece.Segment.Length) * (end - at)).Length;
+                AddSample(span, profile, kinematics, piece, end, inside);
+                at = end;
+            }
         }
 
-        /// <param name="fraction">Place on the segment, 0 to 1.</param>
-        /// <param name="at">The same in counts from the start of the segment.</param>
+        /// <param name="at">Place on the segment, counts from its start.</param>
         /// <param name="inside">A place of the sequence inside the piece, where the acceleration along the path is taken: at its ends it changes.</param>
-        private void AddSample(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, double fraction, double at, double inside)
+        private void AddSample(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, double at, double inside)
         {
-            var path = piece.SegmentStart + at;
+            var (path, fraction) = (piece.SegmentStart + at, at / piece.Segment.Length);
             var seconds = Math.Min(span.Start + profile.TimeAt(path), span.End);
             var speed = kinematics.VelocityAt(piece.Segment, piece.From, fraction, path).Length;
             var acceleration = kinematics.AccelerationAt(piece.Segment, piece.From, fraction, path, inside);

@@ -16,11 +16,17 @@ internal sealed class SeriesBuilder(int maxSamples)
     /// <summary>Number of samples of which two are kept; 1 while all are kept.</summary>
     private int _groupSize = 1;
 
+    /// <summary>The first and the last sample, which are kept in any case: they are the ends of the axis.</summary>
+    private PlannedSample _first;
+    private PlannedSample _last;
+
     /// <summary>Adds a sample, unless it equals the one before.</summary>
     public void Add(in PlannedSample sample)
     {
         var before = _groupSize == 1 ? _samples : _group;
         if (before.Count > 0 && before[^1] == sample) return;
+        if (_samples.Count == 0 && _group.Count == 0) _first = sample;
+        _last = sample;
         before.Add(sample);
         if (_group.Count == _groupSize && _groupSize > 1) Flush();
         if (_samples.Count >= maxSamples) Thin();
@@ -29,6 +35,8 @@ internal sealed class SeriesBuilder(int maxSamples)
     public MotionSeries ToSeries()
     {
         if (_group.Count > 0) Flush();
+        if (_samples.Count > 0 && _samples[0] != _first) _samples.Insert(0, _first);
+        if (_samples.Count > 0 && _samples[^1] != _last) _samples.Add(_last);
         var count = _samples.Count;
         var (seconds, path, entities, speed, x, y) = (new double[count], new double[count], new int[count], new double[count], new double[count], new double[count]);
         for (var i = 0; i < count; i++) (seconds[i], path[i], entities[i], speed[i], x[i], y[i], _) = _samples[i];

@@ -60,6 +60,31 @@ public sealed class PlotTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Keys_zoom_and_pan_while_the_plot_has_the_focus_and_letters_go_to_the_command_line() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var plot = ShowPlots(here);
+        var whole = plot.VisibleRange;
+        here.Hands.Click(here.MiddleOf(plot));
+        here.Hands.Press(Key.Up);
+        here.Step();
+        var zoomed = plot.VisibleRange;
+        Assert.InRange(zoomed.End - zoomed.Start, 0.6 * whole.End, 0.8 * whole.End);
+        here.Hands.Press(Key.Right);
+        here.Step();
+        Assert.True(plot.VisibleRange.Start > zoomed.Start);
+        here.Hands.Press(Key.Home);
+        here.Step();
+        Assert.Equal(whole, plot.VisibleRange);
+
+        here.Hands.Type("Z");
+        here.Step();
+        Assert.Equal("Z", here.Window.Model.Command.Line);
+        here.Hands.Press(Key.Escape);
+        here.WaitUntilIdle();
+    });
+
+    [Fact]
     public Task The_spans_of_a_selected_entity_are_marked_and_values_name_the_entity_under_the_pointer() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
@@ -71,7 +96,7 @@ public sealed class PlotTests(DesktopFixture fixture)
         here.Commands.Document.SelectIn(here.Commands.Document.Current.Drawing!, _ => [entity]);
         here.WaitUntilIdle();
 
-        Assert.Equal(motion.TimesOfEntity(entity), plot.Marks);
+        Assert.Equal(motion.TimesOf([entity]), plot.Marks);
         var (start, end) = Assert.Single(plot.Marks);
         Assert.Equal(motion.TimeOfEntity(entity), start);
         Assert.Equal(entity, motion.At(end - 1e-6).Entity);
@@ -123,6 +148,88 @@ public sealed class PlotTests(DesktopFixture fixture)
 
         Assert.Equal(plan.Convert(PlotAxis.Path, plan.Path[^1] / 3.0, PlotAxis.Time), here.Desk.Derived.AtSeconds, 9);
         Assert.Equal(plan.Path[^1] / 3.0, plot.Position, 6);
+    });
+
+    [Fact]
+    public Task An_empty_page_takes_every_input_of_the_pointer() => fixture.WithOperator(here =>
+    {
+        var plot = ShowPlots(here);
+        UseIt();
+        here.Open("gasket.dxf");
+        here.Enter("CNCPLOTS", "0");
+        Assert.Empty(plot.Content.Panels);
+        UseIt();
+        here.Enter("CNCPLOTS", "3");
+        UseIt();
+        Assert.True(plot.IsZoomed);
+
+        void UseIt()
+        {
+            var middle = here.MiddleOf(plot);
+            here.Hands.MovePointer(middle);
+            here.Hands.Click(middle);
+            here.Hands.Click(middle, MouseButton.Right);
+            here.Hands.Wheel(middle, new Vector(0, 2));
+            here.Hands.Drag(middle, middle + new Point(30, 5), button: MouseButton.Middle);
+            here.Hands.Press(Key.Left);
+            here.Step();
+        }
+    });
+
+    [Fact]
+    public Task A_zoomed_range_stays_when_the_window_moves_to_a_finer_screen() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var plot = ShowPlots(here);
+        here.Hands.Wheel(here.MiddleOf(plot), new Vector(0, 3));
+        here.Step();
+        var zoomed = plot.VisibleRange;
+
+        here.Hands.SetScale(2.0);
+        here.Step();
+
+        Assert.True(plot.IsZoomed);
+        Assert.Equal(zoomed.Start, plot.VisibleRange.Start, 6);
+        Assert.Equal(zoomed.End, plot.VisibleRange.End, 6);
+        here.Hands.SetScale(1.0);
+        here.Step();
+    });
+
+    [Fact]
+    public Task A_plan_that_is_sampled_in_the_background_appears_also_after_the_page_was_hidden_meanwhile() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var plot = ShowPlots(here);
+        var model = (PlotsModel)plot.DataContext!;
+        here.Show("Layers");
+        model.MaxSegmentsAtOnce = 0;
+        model.IsPageVisible = true;
+        Assert.True(model.IsSampling);
+        Assert.True(model.IsEmpty);
+        Assert.False(model.HasNothing);
+        model.IsPageVisible = false;
+        Assert.False(model.IsSampling);
+        model.IsPageVisible = true;
+
+        here.Until(() => !model.IsSampling);
+
+        Assert.Equal(here.Window.Model.Playback.Total, model.Content.End, 6);
+        Assert.True(model.Sampled.IsCompletedSuccessfully);
+    });
+
+    [Fact]
+    public Task Runs_of_another_drawing_are_not_plotted() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        var model = (PlotsModel)ShowPlots(here).DataContext!;
+        here.Enter("CNCSIM", "PLOTCOMPARE", "LAst");
+        Assert.Equal([PlotRole.Plan, PlotRole.Run, PlotRole.Compared], model.Content.Series.Select(series => series.Role));
+
+        here.Open("gasket.dxf");
+
+        Assert.Equal(PlotRole.Plan, Assert.Single(model.Content.Series).Role);
+        Assert.Equal(StoredRunChoice.None, model.Compared);
+        Assert.Null(here.Commands.Plots.ComparedJournal);
     });
 
     [Fact]

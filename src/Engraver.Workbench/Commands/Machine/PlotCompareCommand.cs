@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>PLOTCOMPARE: Selects a stored run that the plots show beside the plan and the last run.</summary>
 internal sealed class PlotCompareCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("PLOTCOMPARE", CommandGroup.Machine);
+    public CommandInfo Info { get; } = new("PLOTCOMPARE", CommandGroup.Machine) { IsAllowedDuringJob = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
