@@ -2,8 +2,8 @@ using System.Globalization;
 
 namespace Engraver.Core.TextMarkup;
 
-/// <summary>The codes that TEXT and MTEXT have in common: %% codes and control characters with a caret (DXF reference, "TEXT"; AutoCAD's help, "Control Codes and
-/// Special Text Characters").</summary>
+/// <summary>The codes that TEXT and MTEXT have in common: %% codes and control characters with a caret (DXF reference, "TEXT"; AutoCAD's help, "Control Codes
+/// and Special Text Characters").</summary>
 internal static class SpecialCharacters
 {
     private const string Diameter = "\u2300";

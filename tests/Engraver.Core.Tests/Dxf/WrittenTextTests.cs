@@ -45,7 +45,7 @@ public class WrittenTextTests
             drawing.Texts.Select(text => (text.Type, text.Written.Tag, text.Written.Prompt, text.Written.FieldLength, text.Written.Vertical, text.Written.AttributeFlags)).Order());
     }
 
-    /// <summary>A text in a block that is scaled differently in x and y is sheared when it is rotated: only a map states that, no height and width factor.</summary>
+    /// <summary>A text in a block that is scaled differently in x and y is sheared when it is rotated: only a map states that.</summary>
     [Fact]
     public void The_inserts_around_a_text_are_a_map()
     {
