@@ -26,6 +26,9 @@ public sealed record Drawing(
     /// <summary>Every TEXT, MTEXT and ATTRIB with its content and position, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedText> Texts { get; init; } = [];
 
+    /// <summary>The text styles in file order; none for a file without a STYLE table.</summary>
+    public IReadOnlyList<TextStyle> Styles { get; init; } = [];
+
     /// <summary>Every POINT, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedPoint> Points { get; init; } = [];
 

@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A text of the drawing, decoded and placed, in drawing units: all values that are needed to engrave it with a single-line font. It is not yet a
-/// curve.</summary>
+/// <summary>A text of the drawing, decoded and placed, in drawing units: a summary to show, and what the file states (<see cref="Written"/>), from which it
+/// can be drawn exactly. It is not yet a curve.</summary>
 public sealed record PlacedText
 {
     /// <summary>TEXT, MTEXT or ATTRIB.</summary>
@@ -46,6 +46,15 @@ public sealed record PlacedText
 
     /// <summary>Font file of the style; "" when the drawing does not state one.</summary>
     public required string Font { get; init; }
+
+    /// <summary>What the file states, from which the other values of this record are derived.</summary>
+    public required WrittenText Written { get; init; }
+
+    /// <summary>The inserts around the text, and edits since it was read: from the system of its block to the drawing.</summary>
+    public Placement Inserts { get; init; } = Placement.Identity;
+
+    /// <summary>As stated, "by block" resolved; by layer where none is stated.</summary>
+    public DrawingColour Colour { get; init; }
 
     /// <summary>Index into <see cref="Drawing.Layers"/>.</summary>
     public required int Layer { get; init; }

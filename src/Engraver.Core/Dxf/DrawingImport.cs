@@ -18,6 +18,7 @@ internal sealed class DrawingImport
     private readonly DxfHeader _header = new();
     private readonly DxfTextDecoder _text = new();
     private readonly ImportLog _log;
+    private readonly StyleTable _styles = new();
     private readonly RecordReader _records;
     private readonly ContentReader _content;
     private readonly LayerTable _layers;
@@ -42,14 +43,13 @@ internal sealed class DrawingImport
         _log = new ImportLog(tags.IsBinary ? Wording.Get("DrawingImport.Byte") : Wording.Get("DrawingImport.Line"));
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Read(tags, cancellation) : new MultiLineStyles();
-        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
-        var styles = new StyleTable();
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.DecodeRaw, options.Cut, _log, cancellation) { Progress = options.Progress };
         _layers = new LayerTable(_records.Layers);
         var linetypes = new LinetypeTable(_records.Linetypes, _layers);
-        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), new LengthCheck(_layers), linetypes, options.Cut);
+        _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), new LengthCheck(_layers), linetypes, options.Cut);
         _balance = new ReadTally(_log);
         var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
-        _definitions = new DefinitionReader(_records, _content, styles, _layers, linetypes, blocks, blockCurves, _balance, _log);
+        _definitions = new DefinitionReader(_records, _content, _styles, _layers, linetypes, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
         _points = new PointExpander(blocks, _layers, cancellation);
@@ -95,6 +95,7 @@ internal sealed class DrawingImport
         {
             Curves = _curves.Curves,
             Texts = _texts.Placed,
+            Styles = _styles.ToStyles(),
             Points = _points.Placed,
             PointsRead = _points.Placed.Count,
             Construction = _construction.ToCounts(),

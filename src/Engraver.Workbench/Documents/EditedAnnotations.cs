@@ -71,6 +71,7 @@ internal sealed class EditedAnnotations
         FrameWidth = text.FrameWidth * map.Scale,
         Rotation = (map.Mirrored ? map.Turn - text.Rotation : map.Turn + text.Rotation).Positive(),
         Mirrored = text.Mirrored ^ map.Mirrored,
+        Inserts = Placement.FromPlane(map).After(text.Inserts),
     };
 
     private static PlacedPoint Placed(PlacedPoint point, Transform2D map) => point with { Position = At(point.Position, map) };

@@ -27,6 +27,7 @@ public static class EditedDrawing
         {
             InsUnits = drawing.Unit.Code is > 0 and var code ? code : drawing.Unit == LengthUnit.AssumedInches ? Inches : Millimetres,
             Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
+            TextStyles = drawing.Styles,
             Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name))],
         };
     }

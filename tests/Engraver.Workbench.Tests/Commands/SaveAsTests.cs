@@ -84,6 +84,26 @@ public class SaveAsTests
         Assert.DoesNotContain("DOC0003", talk.Said, StringComparison.Ordinal);
     }
 
+    /// <summary>A height in the string of an MTEXT is in drawing units: it would be wrong after scaling, a paragraph or a relative height is not.</summary>
+    [Theory]
+    [InlineData("MOVE", @"{\H2;b} \S1/2;", @"{\H2;b} \S1/2;", "5,7")]
+    [InlineData("SCALE", @"{\C1;b}\pqc; \S1/2;", @"{\C1;b}\pqc; \S1/2;", "2")]
+    [InlineData("SCALE", @"{\H2;b} \S1/2;", "b 1/2", "2")]
+    public async Task A_moved_text_keeps_its_formats_and_a_scaled_one_unless_they_have_heights(string edit, string raw, string written, string by)
+    {
+        await using var talk = new CommandTestSession();
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), DxfText.WithEntities((0, "LINE"), (10, 0.0), (20, 0.0), (11, 9.0), (21, 0.0), (0, "MTEXT"), (10, 1.0), (20, 2.0), (40, 3.0), (1, raw), (0, "TEXT"), (10, 1.0), (20, 2.0), (40, 3.0), (71, 4), (1, "%%c")).ToAscii());
+        await talk.TypeAsync("OPEN", "in.dxf", edit, "ALL", "", "0,0", by);
+        var moved = talk.State.Drawing!.Texts;
+        await talk.TypeAsync("SAVEAS", "out.dxf", "OPEN", "out.dxf");
+        var texts = talk.State.Drawing!.Texts;
+
+        Assert.Equal((written, "%%c", TextGeneration.UpsideDown), (texts[0].Written.Raw, texts[1].Written.Raw, texts[1].Written.Generation));
+        Assert.Equal(moved.Select(text => text.Inserts.Apply(text.Written.Insertion)), texts.Select(text => text.Written.Insertion));
+        Assert.Equal(moved.Select(text => text.Written.Height * text.Inserts.YAxis.Length), texts.Select(text => text.Written.Height));
+        Assert.True(texts[0].Inserts.IsIdentity);
+    }
+
     [Fact]
     public async Task Points_come_back_as_they_were_placed()
     {

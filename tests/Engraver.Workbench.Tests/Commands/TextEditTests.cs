@@ -39,6 +39,7 @@ public class TextEditTests
 
         Assert.Equal((-2.0, 4.0), (Math.Round(line.Position.X, 9), Math.Round(line.Position.Y, 9)));
         Assert.Equal((4.0, 120.0), (line.Height, Math.Round(line.Rotation.Degrees, 9)));
+        Assert.All(talk.State.Drawing.Texts, text => Assert.True((text.Inserts.Apply(text.Written.Insertion) - text.Position).Length < 1e-9));
         Assert.Equal((2.0, 40.0, 90.0), (note.Height, note.FrameWidth, Math.Round(note.Rotation.Degrees, 9)));
         Assert.False(line.Mirrored);
     }
@@ -50,6 +51,7 @@ public class TextEditTests
         await talk.TypeAsync("MIRROR", "ALL", "", "0,0", "0,1", "Yes");
 
         Assert.Equal((-2.0, 1.0, 3.0), Place(talk, 0));
+        Assert.Equal((-1.0, 1.0), (talk.State.Drawing!.Texts[0].Inserts.XAxis.X, talk.State.Drawing.Texts[0].Inserts.YAxis.Y));
         Assert.Equal((true, 150.0), (talk.State.Drawing!.Texts[0].Mirrored, Math.Round(talk.State.Drawing.Texts[0].Rotation.Degrees, 9)));
         Assert.Equal(2, talk.State.Drawing.Texts.Count);
     }

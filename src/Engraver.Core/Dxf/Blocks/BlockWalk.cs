@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 

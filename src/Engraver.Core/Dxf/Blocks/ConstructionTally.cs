@@ -3,6 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Dxf.Text;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 

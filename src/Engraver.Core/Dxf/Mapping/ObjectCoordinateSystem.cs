@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 

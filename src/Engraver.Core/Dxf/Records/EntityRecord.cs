@@ -1,8 +1,10 @@
 using System.Globalization;
+using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Tags;
 using Engraver.Core.Geometry;
+using Engraver.Core.TextMarkup;
 
 namespace Engraver.Core.Dxf.Records;
 
@@ -17,6 +19,13 @@ internal sealed class EntityRecord
     /// <summary>Group code after which the values belong to an object embedded in this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
     private const int EmbeddedObject = 101;
 
+    /// <summary>First group code of extended data; below the second one they are texts.</summary>
+    private const int FirstExtended = 1000;
+
+    private const int FirstExtendedNumber = 1010;
+
+    private const int ApplicationName = 1001;
+
     /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion, colours.</summary>
     private static readonly int[] KeptCodes =
         [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290, TrueColour];
@@ -26,6 +35,7 @@ internal sealed class EntityRecord
     private readonly double[] _values = new double[KeptCodes.Length];
     private ulong _seen;
     private bool _embedded;
+    private bool _extra;
     private uint _counted;
     private bool _placed;
     private bool _placedAgain;
@@ -68,6 +78,12 @@ internal sealed class EntityRecord
     /// <summary>Texts in file order, for records that are kept pair by pair; a 100 is also in <see cref="Sequence"/>, with its index here.</summary>
     public List<CodedText> Texts { get; } = [];
 
+    /// <summary>Numbers of the object embedded in a text (columns of an MTEXT), in file order.</summary>
+    public List<CodedNumber> Embedded { get; } = [];
+
+    /// <summary>Extended data of a text or a text style, in file order; a 1001 begins that of an application.</summary>
+    public List<ExtendedValue> Extended { get; } = [];
+
     /// <summary>Numbers in file order, for types in which codes repeat.</summary>
     public List<CodedNumber> Sequence { get; } = [];
 
@@ -96,7 +112,13 @@ internal sealed class EntityRecord
         (_placed, _placedAgain) = (kind == RecordKind.Polyline, false); // its points are those of its vertices
         Fault = null;
         Warning = null;
-        _embedded = false;
+        if (_extra)
+        {
+            Embedded.Clear();
+            Extended.Clear();
+        }
+
+        (_embedded, _extra) = (false, false);
         Texts.Clear();
         Sequence.Clear();
         _seen = 0;
@@ -136,8 +158,13 @@ internal sealed class EntityRecord
     public bool Collect(DxfTagSource tags, TextDecoding decode)
     {
         var code = tags.Code;
-        _embedded |= code == EmbeddedObject;
-        if (_embedded) return true;
+        if (code >= FirstExtended || _embedded || code == EmbeddedObject)
+        {
+            if (Kind is RecordKind.Text or RecordKind.StyleEntry) CollectExtra(tags, decode);
+            _embedded |= code == EmbeddedObject;
+            return true;
+        }
+
         if (code is 1 or 2 or 3 or 4 or 7 or 100)
         {
             if (code == 100) Sequence.Add(new CodedNumber(code, Texts.Count));
@@ -152,6 +179,26 @@ internal sealed class EntityRecord
         return true;
     }
 
+    private void CollectExtra(DxfTagSource tags, TextDecoding decode)
+    {
+        var code = tags.Code;
+        _extra = true;
+        if (code is >= FirstExtended and < FirstExtendedNumber) Extended.Add(new ExtendedValue(code, CharacterEscapes.Resolved(decode(tags.Value)), 0.0));
+        else if (code >= FirstExtendedNumber && tags.TryNumber(out var value)) Extended.Add(new ExtendedValue(code, "", value));
+        else if (_embedded && code is >= 10 and < 100 && tags.TryNumber(out var number)) Embedded.Add(new CodedNumber(code, number));
+    }
+
+    /// <summary>The extended data of an application, without its name.</summary>
+    public IEnumerable<ExtendedValue> ExtendedOf(string application)
+    {
+        var isOwn = false;
+        foreach (var value in Extended)
+        {
+            if (value.Code == ApplicationName) isOwn = value.Text.Trim().Equals(application, StringComparison.OrdinalIgnoreCase);
+            else if (isOwn) yield return value;
+        }
+    }
+
     /// <summary>Keeps a number in file order.</summary>
     public void Collect(int code, double value)
     {
@@ -159,8 +206,23 @@ internal sealed class EntityRecord
         if (Keeps(code) && !Has(code)) Set(code, value);
     }
 
-    /// <summary>The texts of these codes joined in file order; "" when there is none.</summary>
-    public string TextOf(params int[] codes) => string.Concat(Texts.Where(text => codes.Contains(text.Code)).Select(text => text.Value));
+    /// <summary>The texts of these codes joined in file order, \U+ and \M+ resolved; "" when there is none.</summary>
+    public string TextOf(params ReadOnlySpan<int> codes) => CharacterEscapes.Resolved(RawOf(codes));
+
+    /// <summary>As <see cref="TextOf"/>, as written.</summary>
+    public string RawOf(params ReadOnlySpan<int> codes)
+    {
+        var joined = "";
+        StringBuilder? pieces = null;
+        foreach (var text in Texts)
+        {
+            if (!codes.Contains(text.Code)) continue;
+            if (joined.Length == 0 && pieces is null) joined = text.Raw;
+            else (pieces ??= new StringBuilder(joined)).Append(text.Raw);
+        }
+
+        return pieces?.ToString() ?? joined;
+    }
 
     /// <summary>The first value of a code of a collected record.</summary>
     public double First(int code, double otherwise)
@@ -172,6 +234,9 @@ internal sealed class EntityRecord
 
         return otherwise;
     }
+
+    /// <summary>The first value of a code of a collected record as a flag word or count; 0 where it is not stated or does not fit.</summary>
+    public int FirstFlags(int code, int otherwise = 0) => First(code, otherwise) is var value && Math.Abs(value) <= int.MaxValue ? (int)value : 0;
 
     public bool Has(int code) => (_seen & (1ul << Slots[code])) != 0;
 
@@ -221,4 +286,9 @@ internal sealed class EntityRecord
 }
 
 /// <summary>A text with its group code.</summary>
-internal readonly record struct CodedText(int Code, string Value);
+/// <param name="Raw">As written, bytes decoded.</param>
+internal readonly record struct CodedText(int Code, string Raw)
+{
+    /// <summary>With \U+ and \M+ resolved.</summary>
+    public string Value => CharacterEscapes.Resolved(Raw);
+}

@@ -3,6 +3,7 @@ using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Tags;
+using Engraver.Core.TextMarkup;
 
 namespace Engraver.Core.Dxf.Records;
 
@@ -35,7 +36,7 @@ internal sealed class RecordReader
         _cancellation = cancellation;
         Layers = layers;
         Blocks = blocks;
-        Linetypes = new NameTable(bytes => decode(bytes));
+        Linetypes = new NameTable(bytes => CharacterEscapes.Resolved(decode(bytes)));
         _layerZero = layers.IdOf("0");
         SkipSilently();
     }

@@ -1,16 +1,43 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The text styles of the STYLE table: their fonts.</summary>
+/// <summary>The text styles of the STYLE table.</summary>
 internal sealed class StyleTable
 {
-    private readonly Dictionary<string, string> _fonts = new(StringComparer.OrdinalIgnoreCase);
+    private const int VerticalFlag = 4;
 
-    /// <summary>Takes a STYLE entry: 2 name, 3 font file. Entries without a name are shape files, not text styles.</summary>
+    private readonly Dictionary<string, TextStyle> _byName = new(StringComparer.OrdinalIgnoreCase);
+    private readonly List<TextStyle> _styles = [];
+
+    /// <summary>Takes a STYLE entry (DXF reference, "STYLE"). Entries without a name are shape files, not text styles; of two with one name the first
+    /// counts.</summary>
     public void Define(EntityRecord entry)
     {
-        if (entry.TextOf(2) is { Length: > 0 } name) _fonts.TryAdd(name, entry.TextOf(3));
+        if (entry.TextOf(2) is not { Length: > 0 } name || _byName.ContainsKey(name)) return;
+        var style = new TextStyle(name)
+        {
+            FontFile = entry.TextOf(3),
+            BigFontFile = entry.TextOf(4),
+            FixedHeight = entry.First(40, 0.0),
+            WidthFactor = entry.First(41, 1.0),
+            Oblique = Angle.FromDegrees(entry.First(50, 0.0)),
+            Generation = (TextGeneration)(entry.FirstFlags(71) & (int)(TextGeneration.Backwards | TextGeneration.UpsideDown)),
+            IsVertical = (entry.FirstFlags(70) & VerticalFlag) != 0,
+        };
+        foreach (var value in entry.ExtendedOf("ACAD"))
+        {
+            if (value.Code == 1000 && style.Family.Length == 0) style = style with { Family = value.Text };
+            else if (value.Code == 1071) style = style with { FamilyFlags = value.Whole };
+        }
+
+        _byName.Add(name, style);
+        _styles.Add(style);
     }
 
     /// <summary>Font file of a style; "" when it is not known.</summary>
-    public string FontOf(string style) => _fonts.GetValueOrDefault(style, "");
+    public string FontOf(string style) => _byName.TryGetValue(style, out var known) ? known.FontFile : "";
+
+    public IReadOnlyList<TextStyle> ToStyles() => _styles;
 }

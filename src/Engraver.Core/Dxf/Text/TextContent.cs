@@ -1,5 +1,5 @@
-using System.Globalization;
 using System.Text;
+using Engraver.Core.TextMarkup;
 
 namespace Engraver.Core.Dxf.Text;
 
@@ -68,40 +68,16 @@ internal static class TextContent
     {
         if (!text.Contains("%%", StringComparison.Ordinal)) return text;
         var result = new StringBuilder(text.Length);
-        for (var at = 0; at < text.Length; at++)
+        for (var at = 0; at < text.Length;)
         {
-            if (text[at] != '%' || at + 2 >= text.Length || text[at + 1] != '%') result.Append(text[at]);
-            else at = Percent(text, at + 2, result);
+            var length = SpecialCharacters.PercentLength(text, at, out var character, out _, out var number);
+            if (length == 0) result.Append(text[at]);
+            else if (number < 0) result.Append(character);
+            else if (number is < 128 or >= 160) result.Append((char)number);
+            at += Math.Max(length, 1);
         }
 
         return result.ToString();
-    }
-
-    private static int Percent(string text, int at, StringBuilder result)
-    {
-        switch (char.ToLowerInvariant(text[at]))
-        {
-            case 'c':
-                result.Append('\u2300');
-                return at;
-            case 'd':
-                result.Append('\u00B0');
-                return at;
-            case 'p':
-                result.Append('\u00B1');
-                return at;
-            case '%':
-                result.Append('%');
-                return at;
-            case 'u' or 'o' or 'k':
-                return at;
-            case >= '0' and <= '9' when at + 3 <= text.Length && byte.TryParse(text.AsSpan(at, 3), NumberStyles.None, CultureInfo.InvariantCulture, out var number):
-                result.Append(number is >= 128 and < 160 ? "" : ((char)number).ToString());
-                return at + 2;
-            default:
-                result.Append("%%").Append(text[at]);
-                return at;
-        }
     }
 
     /// <summary>^I tab, ^J line feed, ^M return (removed), ^ and a blank: a caret.</summary>

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Blocks;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Text;
 
@@ -16,7 +17,14 @@ internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blo
 
     protected override bool TryPlace(PlacedText one, in Placement at, in InsertStyle style, out PlacedText placed)
     {
-        placed = PlacedTexts.Placed(one, at) with { Layer = style.LayerOf(one.Layer, _layers), Hidden = one.Hidden || style.Hidden };
+        var layer = style.LayerOf(one.Layer, _layers);
+        placed = PlacedTexts.Placed(one, at) with
+        {
+            Layer = layer,
+            Hidden = one.Hidden || style.Hidden,
+            Colour = style.ColourOf(one.Colour, layer, _layers),
+            Inserts = at.After(one.Inserts),
+        };
         return PlacedTexts.IsInRange(placed);
     }
 }

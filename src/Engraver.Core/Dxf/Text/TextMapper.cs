@@ -12,6 +12,7 @@ internal sealed class TextMapper(StyleTable styles)
     private const int BackwardFlag = 2;
     private const int HiddenAttribute = 1;
     private const int ConstantAttribute = 2;
+    private static readonly WrittenText s_nothing = new() { Raw = "" };
 
     /// <summary>The text of a record; null when it is empty or out of range.</summary>
     public PlacedText? Map(EntityRecord record)
@@ -30,6 +31,7 @@ internal sealed class TextMapper(StyleTable styles)
         var attachment = Math.Clamp((int)record.First(71, 1.0), 1, 9) - 1;
         return Common(record) with
         {
+            Written = WrittenTexts.OfMText(record),
             Content = TextContent.OfMText(record.TextOf(1, 3)),
             Position = record.PointOrOrigin(10),
             Rotation = Direction(record),
@@ -44,9 +46,8 @@ internal sealed class TextMapper(StyleTable styles)
     /// <summary>Direction of the lines: an angle (50) or a vector (11), whichever comes last.</summary>
     private static Angle Direction(EntityRecord record)
     {
-        var (angle, vector) = (record.Sequence.FindLastIndex(pair => pair.Code == 50), record.Sequence.FindLastIndex(pair => pair.Code == 11));
-        if (vector > angle) return Angle.Direction(record.Number(11, 1.0), record.Number(21, 0.0));
-        var turn = Angle.FromDegrees(record.First(50, 0.0));
+        if (WrittenTexts.XAxis(record) is { } vector) return Angle.Direction(vector.X, vector.Y);
+        var turn = WrittenTexts.Rotation(record);
         return record.Extrusion().Z < 0.0 ? Angle.FromDegrees(180.0) - turn : turn; // the angle is measured in the entity's own system, the vector in the world
     }
 
@@ -58,6 +59,7 @@ internal sealed class TextMapper(StyleTable styles)
         var second = record.Has(11) && (column != TextColumnAlignment.Left || row != TextRowAlignment.Baseline);
         var text = Common(record) with
         {
+            Written = WrittenTexts.OfText(record, IsAttribute(record)),
             Content = TextContent.OfText(record.TextOf(1)),
             Position = record.PointOrOrigin(second && !between ? 11 : 10),
             End = second && between ? record.PointOrOrigin(11) : null,
@@ -78,12 +80,14 @@ internal sealed class TextMapper(StyleTable styles)
         return new PlacedText
         {
             Type = record.Type,
+            Written = s_nothing,
             Content = "",
             Position = default,
             Height = record.First(40, 0.0),
             Rotation = default,
             Style = style,
             Font = styles.FontOf(style),
+            Colour = record.Colour,
             Layer = record.Layer,
             Handle = record.Handle,
             SourceLine = record.Line,

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
@@ -17,9 +18,12 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>Written after the texts.</summary>
     public IReadOnlyList<DxfSheetPoint> Points { get; init; } = [];
 
-    /// <summary>The text styles and their fonts, Standard first.</summary>
-    internal IReadOnlyList<(string Name, string Font)> Styles =>
-        [.. Texts.Select(text => (text.Text.Style, text.Text.Font)).Append(("Standard", "")).DistinctBy(style => style.Item1, StringComparer.OrdinalIgnoreCase).OrderBy(style => !style.Item1.Equals("Standard", StringComparison.OrdinalIgnoreCase))];
+    /// <summary>Text styles of the drawing; one that a text names is written even if it is not among them.</summary>
+    public IReadOnlyList<TextStyle> TextStyles { get; init; } = [];
+
+    /// <summary>The text styles that are written, Standard first.</summary>
+    internal IReadOnlyList<TextStyle> Styles =>
+        [.. TextStyles.Concat(Texts.Select(text => new TextStyle(text.Text.Style) { FontFile = text.Text.Font })).Append(new TextStyle("Standard")).DistinctBy(style => style.Name, StringComparer.OrdinalIgnoreCase).OrderBy(style => !style.Name.Equals("Standard", StringComparison.OrdinalIgnoreCase))];
 
     /// <summary>The handle under which each of <see cref="Entities"/> is written.</summary>
     public IReadOnlyList<string> EntityHandles
@@ -34,7 +38,7 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
 
     internal int Handles => Entities.Sum(entity => entity.Handles) + Texts.Count + Points.Count;
 
-    internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null) || Points.Any(point => point.Point.Colour.Rgb is not null);
+    internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null) || Texts.Any(text => text.Text.Colour.Rgb is not null) || Points.Any(point => point.Point.Colour.Rgb is not null);
 
     /// <summary>Smallest box of the curves; empty when there are none.</summary>
     public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => entity.Segments.Aggregate(box, (all, segment) => all.Union(segment.Bounds)));

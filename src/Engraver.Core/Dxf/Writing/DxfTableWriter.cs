@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Writing;
@@ -7,13 +8,14 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
 {
     private const int Frozen = 1;
     private const int Locked = 4;
+    private const int Vertical = 4;
 
-    public void Write(IReadOnlyList<DxfSheetLayer> layers, IReadOnlyList<(string Name, string Font)> styles)
+    public void Write(IReadOnlyList<DxfSheetLayer> layers, IReadOnlyList<TextStyle> styles)
     {
         Table("VPORT", ["*Active"], ViewPort);
         Table("LTYPE", ["ByBlock", "ByLayer", "Continuous"], LineType);
         Table<DxfSheetLayer>("LAYER", layers.Any(layer => layer.Name == "0") ? [.. layers] : [new DxfSheetLayer("0", 7), .. layers], Layer);
-        Table<(string Name, string Font)>("STYLE", [.. styles], TextStyle);
+        Table<TextStyle>("STYLE", [.. styles], Style);
         Table<string>("VIEW", [], (_, _) => { });
         Table<string>("UCS", [], (_, _) => { });
         Table("APPID", ["ACAD", DxfWriter.Application], (name, table) => Row("APPID", "AcDbRegAppTableRecord", name, table));
@@ -60,8 +62,13 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
         tags.Integer(370, -3);
     }
 
-    private void TextStyle((string Name, string Font) style, int table) => Row("STYLE", "AcDbTextStyleTableRecord", style.Name, table)
-        .Real(40, 0.0).Real(41, 1.0).Real(50, 0.0).Integer(71, 0).Real(42, 2.5).Text(3, style.Font.Length > 0 ? style.Font : "txt").Text(4, "");
+    private void Style(TextStyle style, int table)
+    {
+        Row("STYLE", "AcDbTextStyleTableRecord", style.Name, table, style.IsVertical ? Vertical : 0)
+            .Real(40, style.FixedHeight).Real(41, style.WidthFactor).Real(50, style.Oblique.Degrees).Integer(71, (int)style.Generation).Real(42, 2.5)
+            .Text(3, style.FontFile.Length > 0 || style.Family.Length > 0 ? style.FontFile : "txt").Text(4, style.BigFontFile);
+        if (style.Family.Length > 0) tags.Text(1001, "ACAD").Text(1000, style.Family).Integer(1071, style.FamilyFlags);
+    }
 
     private void BlockRecords()
     {

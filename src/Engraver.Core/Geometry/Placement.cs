@@ -1,9 +1,7 @@
-using Engraver.Core.Geometry;
-
-namespace Engraver.Core.Dxf.Mapping;
+namespace Engraver.Core.Geometry;
 
 /// <summary>An affine map of space: axes and origin of a block, or of an entity's own system (OCS), in the world.</summary>
-internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector3D ZAxis, Vector3D Origin)
+public readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector3D ZAxis, Vector3D Origin)
 {
     /// <summary>Extrusions with x and y below this use the world's y axis as helper, others the z axis (DXF reference, "Arbitrary Axis Algorithm").</summary>
     private const double NearWorldZ = 1.0 / 64.0;
@@ -29,6 +27,14 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
         new(-scale.Y * rotation.Sin(), scale.Y * rotation.Cos(), 0.0),
         new(0.0, 0.0, scale.Z),
         default);
+
+    /// <summary>A similarity of the plane; z does not change.</summary>
+    public static Placement FromPlane(Transform2D map)
+    {
+        var (cos, sin) = (map.Scale * map.Turn.Cos(), map.Scale * map.Turn.Sin());
+        var across = map.Mirrored ? new Vector3D(sin, -cos, 0.0) : new Vector3D(-sin, cos, 0.0);
+        return new Placement(new(cos, sin, 0.0), across, new(0.0, 0.0, 1.0), new(map.Shift.X, map.Shift.Y, 0.0));
+    }
 
     public Vector3D Apply(Vector3D point) => ApplyToDirection(point) + Origin;
 
