@@ -6,7 +6,8 @@ public interface ITextFont
     /// <summary>As the font names itself.</summary>
     string Name { get; }
 
-    /// <summary>True: contours are closed and bound areas, to be filled by the non-zero rule. False: contours are strokes of the tool, open or closed.</summary>
+    /// <summary>True: contours are closed and bound areas, to be filled by the non-zero rule. False: contours are strokes of the tool, open or
+    /// closed.</summary>
     bool IsOutline { get; }
 
     FontMetrics Metrics { get; }

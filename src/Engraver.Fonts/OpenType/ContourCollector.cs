@@ -2,7 +2,8 @@ using Engraver.Fonts.OpenType.Outlines;
 
 namespace Engraver.Fonts.OpenType;
 
-/// <summary>Collects the contours of a glyph. The line that closes a contour becomes a piece; lines of no length, and contours of two lines that bound no area, are left out.</summary>
+/// <summary>Collects the contours of a glyph. The line that closes a contour becomes a piece; lines of no length, and contours of two
+/// lines that bound no area, are left out.</summary>
 /// <param name="shift">Added to every X.</param>
 internal sealed class ContourCollector(double shift) : IOutlineSink
 {

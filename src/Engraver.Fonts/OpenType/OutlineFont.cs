@@ -68,7 +68,8 @@ public sealed class OutlineFont : ITextFont
         return _pairs.IsEmpty ? _kern.Between(first, second) : _pairs.Between(first, second);
     }
 
-    /// <summary>The outline of a TrueType glyph is where the table of widths has its left edge, which in some glyphs is not where the description has it.</summary>
+    /// <summary>The outline of a TrueType glyph is where the table of widths has its left edge, which in some glyphs is not where the
+    /// description has it.</summary>
     private int ShiftOf(int glyph) => _outlines.StatedLeft(glyph) is { } left ? _widths.LeftOf(glyph) - left : 0;
 
     private static (int Weight, bool IsItalic) StyleOf(FontFile file)

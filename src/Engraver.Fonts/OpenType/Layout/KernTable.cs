@@ -1,7 +1,7 @@
 namespace Engraver.Fonts.OpenType.Layout;
 
-/// <summary>Corrections of the distance of two neighbours in fonts without GPOS: ordered lists of pairs (OpenType 1.9, kern, format 0; the header also in the form
-/// of Apple's fonts).</summary>
+/// <summary>Corrections of the distance of two neighbours in fonts without GPOS: ordered lists of pairs (OpenType 1.9, kern, format 0; the header also in
+/// the form of Apple's fonts).</summary>
 public sealed class KernTable
 {
     private const int MaxLists = 64;

@@ -1,8 +1,8 @@
 namespace Engraver.Fonts.OpenType.Outlines;
 
 /// <summary>Runs the program of one glyph (Adobe TN 5177, "The Type 2 charstring format"). Hints are skipped.</summary>
-/// <remarks>Not supported, and therefore a <see cref="BrokenFontException"/>: arithmetic operators, and accented letters composed by endchar. Fonts in use today
-/// do without them.</remarks>
+/// <remarks>Not supported, and therefore a <see cref="BrokenFontException"/>: arithmetic operators, and accented letters composed by endchar. Fonts in use
+/// today do without them.</remarks>
 internal sealed class CharstringInterpreter(IOutlineSink sink, CffIndex globalSubroutines, CffIndex localSubroutines)
 {
     private const int MaxCallDepth = 10;
