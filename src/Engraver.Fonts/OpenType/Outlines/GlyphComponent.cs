@@ -1,7 +1,7 @@
 namespace Engraver.Fonts.OpenType.Outlines;
 
 /// <summary>A glyph that is part of another one (OpenType 1.9, glyf, "Composite glyph description"): scaled or rotated, then moved by an offset, or until one
-/// of its points lies on one of the glyph so far.</summary>
+/// of its points is at one of the glyph so far.</summary>
 /// <param name="First">Offset to the right, or the number of the point of the glyph so far.</param>
 /// <param name="Second">Offset upwards, or the number of the point of the component.</param>
 internal readonly record struct GlyphComponent(int Glyph, int First, int Second, bool IsPlacedByPoints, GlyphScale Scale, bool HasMore)
