@@ -23,9 +23,9 @@ internal sealed class InterFonts : IFontResolver
 
     private static bool Install()
     {
-        Fonts.FontResolvers.Clear();
-        Fonts.FontResolvers.Add(new InterFonts());
-        Fonts.Default = Fonts.Sans = Fonts.Serif = Fonts.Monospace = Family;
+        ScottPlot.Fonts.FontResolvers.Clear();
+        ScottPlot.Fonts.FontResolvers.Add(new InterFonts());
+        ScottPlot.Fonts.Default = ScottPlot.Fonts.Sans = ScottPlot.Fonts.Serif = ScottPlot.Fonts.Monospace = Family;
         return true;
     }
 

@@ -1,11 +1,12 @@
 using System.Buffers.Binary;
+using Engraver.Fonts;
+using Engraver.Fonts.OpenType;
 
 namespace Engraver.SoftwarePlatform.Text;
 
 /// <summary>Adds a map of format 12 to a font that has only the older formats 0 or 6: Avalonia reads formats 4, 12 and 13 (OpenType 1.9, cmap).</summary>
 internal static class CharacterMapUpgrade
 {
-    private const int UnicodePlatform = 0;
     private const int WindowsPlatform = 3;
 
     /// <returns>The table itself when it needs no change, or none is possible.</returns>
@@ -13,10 +14,8 @@ internal static class CharacterMapUpgrade
     {
         try
         {
-            var subtables = Subtables(new FontBytes(table));
-            if (subtables.Count == 0 || subtables.Any(map => map.UInt16(0) is not (0 or 6)))
-                return table;
-            return Written(subtables[0]);
+            var maps = CharacterMap.ReadAll(new FontBytes(table)).Where(map => map.IsUnicode).ToList();
+            return maps.Count > 0 && maps.All(map => map.Format is 0 or 6) ? Written(maps[0]) : table;
         }
         catch (BrokenFontException)
         {
@@ -24,21 +23,10 @@ internal static class CharacterMapUpgrade
         }
     }
 
-    private static List<FontBytes> Subtables(FontBytes table)
-    {
-        var subtables = new List<FontBytes>();
-        for (var i = 0; i < table.UInt16(2); i++)
-        {
-            if (table.UInt16(4 + 8 * i) is UnicodePlatform or WindowsPlatform)
-                subtables.Add(table.Slice((int)table.UInt32(4 + 8 * i + 4)));
-        }
-        return subtables;
-    }
-
     /// <summary>One group of one character for each glyph.</summary>
-    private static byte[] Written(FontBytes old)
+    private static byte[] Written(CharacterMap old)
     {
-        var pairs = Pairs(old).Where(pair => pair.Glyph != 0).ToList();
+        var pairs = Enumerable.Range(0, char.MaxValue + 1).Select(character => (Character: character, Glyph: old.GlyphOf(character))).Where(pair => pair.Glyph != 0).ToList();
         var result = new byte[12 + 16 + 12 * pairs.Count];
         var target = result.AsSpan();
         BinaryPrimitives.WriteUInt16BigEndian(target[2..], 1);
@@ -56,13 +44,5 @@ internal static class CharacterMapUpgrade
             BinaryPrimitives.WriteInt32BigEndian(group[8..], pairs[i].Glyph);
         }
         return result;
-    }
-
-    private static IEnumerable<(int Character, int Glyph)> Pairs(FontBytes old)
-    {
-        if (old.UInt16(0) == 0)
-            return Enumerable.Range(0, 256).Select(character => (character, (int)old.Byte(6 + character)));
-        int first = old.UInt16(6), count = old.UInt16(8);
-        return Enumerable.Range(0, count).Select(i => (first + i, (int)old.UInt16(10 + 2 * i)));
     }
 }

@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Media.Fonts;
 using Avalonia.Media.TextFormatting;
+using Engraver.Fonts;
 using HarfBuzzSharp;
 using Buffer = HarfBuzzSharp.Buffer;
 using GlyphInfo = Avalonia.Media.TextFormatting.GlyphInfo;

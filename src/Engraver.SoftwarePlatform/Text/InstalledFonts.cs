@@ -1,4 +1,6 @@
 using Avalonia.Media;
+using Engraver.Fonts;
+using Engraver.Fonts.OpenType;
 
 namespace Engraver.SoftwarePlatform.Text;
 

@@ -1,4 +1,7 @@
 using Avalonia;
+using Engraver.Fonts;
+using Engraver.Fonts.OpenType;
+using Engraver.Fonts.OpenType.Layout;
 
 namespace Engraver.SoftwarePlatform.Text;
 
@@ -7,9 +10,9 @@ internal sealed class MarkPlacement
 {
     private const int MarkToBase = 4;
 
-    private readonly List<FontBytes> _subtables;
+    private readonly IReadOnlyList<FontBytes> _subtables;
 
-    private MarkPlacement(List<FontBytes> subtables) => _subtables = subtables;
+    private MarkPlacement(IReadOnlyList<FontBytes> subtables) => _subtables = subtables;
 
     public static MarkPlacement Read(FontFile file)
     {

@@ -3,6 +3,7 @@ using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using Avalonia.Media;
 using Avalonia.Platform;
+using Engraver.Fonts.OpenType;
 
 namespace Engraver.SoftwarePlatform.Text;
 

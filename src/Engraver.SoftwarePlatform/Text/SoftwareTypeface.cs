@@ -3,8 +3,10 @@ using System.Diagnostics.CodeAnalysis;
 using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.Fonts;
+using Engraver.Fonts;
+using Engraver.Fonts.OpenType;
+using Engraver.Fonts.OpenType.Outlines;
 using Engraver.SoftwarePlatform.Rasteriser.Paths;
-using Engraver.SoftwarePlatform.Text.Outlines;
 
 namespace Engraver.SoftwarePlatform.Text;
 
@@ -21,7 +23,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 
     private readonly FontFile _file;
     private readonly Lazy<IGlyphOutlines> _outlines;
-    private readonly Lazy<PairKerning> _kerning;
+    private readonly Lazy<TypefaceKerning> _kerning;
     private readonly Lazy<MarkPlacement> _marks;
     private readonly Lazy<HarfBuzzFont?> _harfBuzz;
     private readonly ConcurrentDictionary<int, VectorPath> _paths = new();
@@ -31,8 +33,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         _file = file;
         FontSimulations = simulations;
         UnitsPerEm = Math.Max(16, (int)file.Table("head").UInt16(18));
-        _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
-        _kerning = new Lazy<PairKerning>(() => PairKerning.Read(file));
+        _outlines = new Lazy<IGlyphOutlines>(() => GlyphOutlines.Read(file));
+        _kerning = new Lazy<TypefaceKerning>(() => new TypefaceKerning(file));
         _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Read(file));
         _harfBuzz = new Lazy<HarfBuzzFont?>(() => HarfBuzzFont.TryCreate(this));
         Masks = new GlyphMasks(this);
@@ -64,7 +66,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 
     public CharacterTable Characters { get; }
 
-    public PairKerning Kerning => _kerning.Value;
+    public TypefaceKerning Kerning => _kerning.Value;
 
     public MarkPlacement Marks => _marks.Value;
 
@@ -77,7 +79,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         try
         {
             var file = new FontFile(source, face);
-            return file.Has("glyf") || file.Has("CFF ") ? new SoftwareTypeface(file, simulations) : null;
+            return GlyphOutlines.IsIn(file) ? new SoftwareTypeface(file, simulations) : null;
         }
         catch (Exception e) when (IsFontFault(e))
         {
@@ -141,7 +143,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     {
         try
         {
-            var path = _outlines.Value.Outline(glyph);
+            var path = new VectorPath(FillRule.NonZero);
+            _outlines.Value.Draw(glyph, new PathSink(path));
             return FontSimulations.HasFlag(FontSimulations.Bold) ? Bold(path) : path;
         }
         catch (BrokenFontException)

@@ -1,5 +1,6 @@
 using Avalonia.Media;
 using Engraver.SoftwarePlatform.Text;
+using Engraver.TestKit;
 
 namespace Engraver.SoftwarePlatform.Tests.Text;
 

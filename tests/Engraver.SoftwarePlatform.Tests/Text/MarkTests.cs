@@ -1,7 +1,9 @@
 using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.TextFormatting;
+using Engraver.Fonts.OpenType;
 using Engraver.SoftwarePlatform.Text;
+using Engraver.TestKit;
 
 namespace Engraver.SoftwarePlatform.Tests.Text;
 
