@@ -1,6 +1,7 @@
 using Avalonia.Platform;
 using ScottPlot;
 using SkiaSharp;
+using PlotFonts = ScottPlot.Fonts;
 
 namespace Engraver.App.Plots;
 
@@ -23,9 +24,9 @@ internal sealed class InterFonts : IFontResolver
 
     private static bool Install()
     {
-        Fonts.FontResolvers.Clear();
-        Fonts.FontResolvers.Add(new InterFonts());
-        Fonts.Default = Fonts.Sans = Fonts.Serif = Fonts.Monospace = Family;
+        PlotFonts.FontResolvers.Clear();
+        PlotFonts.FontResolvers.Add(new InterFonts());
+        PlotFonts.Default = PlotFonts.Sans = PlotFonts.Serif = PlotFonts.Monospace = Family;
         return true;
     }
 
