@@ -134,8 +134,8 @@ public static class PlannedSeries
             }
         }
 
-        /// <summary>A piece in which the acceleration along the path does not change. In an arc that is cut while the speed changes, the acceleration is not linear
-        /// in time, so the piece is divided.</summary>
+        /// <summary>A piece in which the acceleration along the path does not change. In an arc that is cut while the speed changes, that of an axis
+        /// is not linear in time, so the piece is divided.</summary>
         private void AddPiece(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, bool isRamp)
         {
             var (start, inside) = (piece.SegmentStart, piece.SegmentStart + ((piece.At + piece.End) / 2.0));
