@@ -12,7 +12,14 @@ public sealed class PlotToggle(PlotPanel panel, DesktopModel desk, PlotsModel ow
     public string Name { get; } = Text.Get("PlotName." + panel.Key);
 
     /// <summary>What it shows, or why it is empty.</summary>
-    public string Tip => Text.Get(HasData ? "Plots.Tip" : "Plots.TipNoData", Text.Get("PlotTitle." + panel.Key));
+    public string Tip
+    {
+        get
+        {
+            var title = Text.Get("PlotTitle." + panel.Key);
+            return HasData ? title : Text.Get("Plots.TipNoData", title);
+        }
+    }
 
     public bool HasData => owner.Content.Series.Any(series => panel.Quantities.Any(quantity => series.Motion.Of(quantity) is not null));
 

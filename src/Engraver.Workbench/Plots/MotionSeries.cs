@@ -7,14 +7,13 @@ public sealed class MotionSeries
     private readonly IReadOnlyList<Range>?[] _known;
     private readonly (double Low, double High)?[] _extremes;
 
-    /// <param name="source">Origin of the motion.</param>
     /// <param name="seconds">Time of each sample since the start of the motion; never decreases.</param>
     /// <param name="path">Length of the path travelled until each sample, with the tool on or off, mm; never decreases.</param>
     /// <param name="entities">Drawing entity at each sample, -1 for none; null if unknown.</param>
     /// <param name="values">The known quantities, one value for each sample; NaN where a value is unknown.</param>
-    internal MotionSeries(MotionSource source, double[] seconds, double[] path, int[]? entities, params IEnumerable<(PlotQuantity Quantity, double[] Values)> values)
+    internal MotionSeries(double[] seconds, double[] path, int[]? entities, params IEnumerable<(PlotQuantity Quantity, double[] Values)> values)
     {
-        (Source, Seconds, Path, Entities) = (source, seconds, path, entities);
+        (Seconds, Path, Entities) = (seconds, path, entities);
         var count = Enum.GetValues<PlotQuantity>().Length;
         (_values, _known, _extremes) = (new double[]?[count], new IReadOnlyList<Range>?[count], new (double, double)?[count]);
         foreach (var (quantity, known) in values)
@@ -23,8 +22,6 @@ public sealed class MotionSeries
             _values[(int)quantity] = known;
         }
     }
-
-    public MotionSource Source { get; }
 
     public int Count => Seconds.Length;
 

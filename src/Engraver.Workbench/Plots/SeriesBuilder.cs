@@ -42,7 +42,7 @@ internal sealed class SeriesBuilder(int maxSamples)
         for (var i = 0; i < count; i++) (seconds[i], path[i], entities[i], speed[i], x[i], y[i], _) = _samples[i];
         List<(PlotQuantity, double[])> values = [(PlotQuantity.Speed, speed), (PlotQuantity.AccelerationX, x), (PlotQuantity.AccelerationY, y)];
         if (_samples.Exists(sample => !double.IsNaN(sample.LinkLoad))) values.Add((PlotQuantity.LinkLoad, [.. _samples.Select(sample => sample.LinkLoad)]));
-        return new MotionSeries(MotionSource.Planned, seconds, path, entities, values);
+        return new MotionSeries(seconds, path, entities, values);
     }
 
     private void Flush()

@@ -31,7 +31,6 @@ public static class TraceSeries
 
         var velocities = Rates(seconds, SpeedWindow, i => places[i].Place - Point2D.Origin);
         var accelerations = Rates(seconds, AccelerationWindow, i => velocities[i]);
-        var source = trace.Source == "record" ? MotionSource.Recorded : MotionSource.Polled;
         List<(PlotQuantity, double[])> values =
         [
             (PlotQuantity.Speed, [.. velocities.Select(velocity => velocity.Length * SecondsPerMinute)]),
@@ -42,7 +41,7 @@ public static class TraceSeries
         AddKnown(PlotQuantity.FollowingError, place => place.FollowingMm);
         AddKnown(PlotQuantity.FeedOverride, place => place.Conditions.FeedRatio * Percent);
         AddKnown(PlotQuantity.LinkLoad, place => place.Conditions.LinkLoad * Percent);
-        return new MotionSeries(source, seconds, path, null, values);
+        return new MotionSeries(seconds, path, null, values);
 
         void AddKnown(PlotQuantity quantity, Func<RunTracePlace, double?> valueOf)
         {

@@ -14,7 +14,6 @@ public class TraceSeriesTests
 
         var series = TraceSeries.From(trace);
 
-        Assert.Equal(MotionSource.Polled, series.Source);
         Assert.Equal(1.0, series.Seconds[^1], 9);
         Assert.Equal(0.5 * Acceleration, series.Path[^1], 9);
         Assert.Equal(Acceleration * 0.495 * 60.0, series.ValueAt(PlotQuantity.Speed, PlotAxis.Time, 0.5), 6);
@@ -32,7 +31,6 @@ public class TraceSeriesTests
         RunTracePlace Place(double t, double? following, double? feed) => new(t, new Point2D(t, 0), true, 0.0, following) { Conditions = new TraceConditions(feed, null) };
         var series = TraceSeries.From(new RunTrace("record", [Place(0, null, 1.0), Place(1, 0.5, 1.5), Place(2, 0.25, 1.5), Place(3, null, null)]));
 
-        Assert.Equal(MotionSource.Recorded, series.Source);
         Assert.Equal([1..3], series.KnownRanges(PlotQuantity.FollowingError));
         Assert.Equal([100.0, 150.0, 150.0, double.NaN], series.Of(PlotQuantity.FeedOverride)!);
         Assert.Null(series.Of(PlotQuantity.LinkLoad));
