@@ -41,7 +41,7 @@ public sealed class LetterCurves
     {
         var curves = new LetterCurves();
         foreach (var contour in glyph.Curves.Contours) curves.Add(contour, glyph.Map);
-        return curves._parts.Aggregate(Bounds2D.Empty, (box, part) => box.Including(part.IsFreeCurve ? curves._curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
+        return curves._parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.IsFreeCurve ? curves._curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
     }
 
     private void Add(GlyphContour contour, in Placement map)

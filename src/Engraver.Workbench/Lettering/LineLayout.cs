@@ -95,7 +95,7 @@ public static class LineLayout
     /// <summary>Middle of the letters as they are, from the lowest descender to the highest point; of a text without letters, of a capital letter.</summary>
     private static double MiddleOf(List<GlyphPlace> glyphs, LetterFormat form)
     {
-        var box = glyphs.Aggregate(Bounds2D.Empty, (all, glyph) => all.Including(LetterCurves.BoundsOf(glyph)));
+        var box = glyphs.Aggregate(Bounds2D.Empty, (all, glyph) => all.Union(LetterCurves.BoundsOf(glyph)));
         return box.IsEmpty ? 0.5 * form.Height : 0.5 * (box.MinY + box.MaxY);
     }
 
