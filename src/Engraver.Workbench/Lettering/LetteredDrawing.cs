@@ -4,7 +4,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Lettering;
 
-/// <summary>A drawing with the letters of texts as curves: one entity for each text, after the entities of the drawing, whose indices remain.</summary>
+/// <summary>A drawing with the letters of texts as curves. Behind its entities, whose indices remain, is one for each of its texts, in their order: that of
+/// a text without letters has no part.</summary>
 /// <param name="Drawing">Its texts are those without letters.</param>
 /// <param name="Texts">In the order of the drawing.</param>
 /// <param name="Findings">Fonts, characters and codes; each once, with its first place.</param>
@@ -26,8 +27,14 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         {
             cancellation.ThrowIfCancellationRequested();
             var text = drawing.Texts[index];
-            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, findings) is var (layout, curves)) done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
-            else rest.Add(text);
+            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, findings) is var (layout, curves))
+            {
+                done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
+                continue;
+            }
+
+            added.Add(EntityOf(text), [], []);
+            rest.Add(text);
         }
 
         return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
