@@ -15,8 +15,9 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
     public static LetteredDrawing None(Drawing drawing) => new(drawing, [], []);
 
     /// <param name="isTaken">The texts to make curves of.</param>
+    /// <param name="maxError">Largest distance of the arcs of united outlines from the curves of the font, drawing units.</param>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static LetteredDrawing Of(Drawing drawing, Predicate<PlacedText> isTaken, LetterFonts fonts, CancellationToken cancellation)
+    public static LetteredDrawing Of(Drawing drawing, Predicate<PlacedText> isTaken, LetterFonts fonts, double maxError, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(isTaken);
@@ -27,7 +28,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         {
             cancellation.ThrowIfCancellationRequested();
             var text = drawing.Texts[index];
-            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, findings) is var (layout, curves))
+            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
             {
                 done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
                 continue;
@@ -40,7 +41,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
     }
 
-    private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, LetteringFindings findings)
+    private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, double maxError, LetteringFindings findings)
     {
         var source = SourceOf(text);
         if (LineLayout.Of(text, fonts) is not { } layout)
@@ -50,7 +51,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         }
 
         findings.Add(source, layout.Notes);
-        var curves = LetterCurves.Of(layout);
+        var curves = LetterCurves.Of(layout, maxError);
         if (!curves.IsInRange)
         {
             findings.AddOutOfRange(source, text.Content);
@@ -58,6 +59,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         }
 
         if (curves.IsTilted) findings.AddTilted(source);
+        if (!curves.IsUnited) findings.AddNotUnited(source, text.Content);
         return (layout, curves);
     }
 

@@ -27,6 +27,8 @@ internal sealed class LetteringFindings
 
     public void AddOutOfRange(SourceRef source, string content) => _lost.Add(LetteringRules.OutOfRange.At(source, Shown(content)));
 
+    public void AddNotUnited(SourceRef source, string content) => _lost.Add(LetteringRules.NotUnited.At(source, Shown(content)));
+
     public void AddTilted(SourceRef source) => _tilted = (_tilted?.First ?? source, (_tilted?.Count ?? 0) + 1);
 
     /// <summary>All findings: lost texts, fonts, then what the layouts noted.</summary>
