@@ -35,7 +35,6 @@ public class OutlineUnionTests
     {
         var curves = CurvesOf(new GlyphCurves(15.0, [Square(0.0, 0.0, 20.0)]), repeats: 3);
 
-        Assert.Equal(4, curves.Parts.Count(part => IsLong(part)));
         Assert.Equal(2.0 * (50.0 + 20.0), LengthOf(curves), 9);
     }
 
@@ -63,8 +62,6 @@ public class OutlineUnionTests
         Assert.True(beside.Count > 100);
         Assert.InRange(beside.Max(), 0.0, MaxError);
     }
-
-    private static bool IsLong(DrawingPart part) => part.SpaceLength > 0.0;
 
     private static LetterCurves CurvesOf(GlyphCurves glyph, int repeats = 1)
     {
