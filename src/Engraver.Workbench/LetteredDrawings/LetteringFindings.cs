@@ -1,8 +1,9 @@
 using System.Diagnostics;
 using Engraver.Core.Diagnostics;
 using Engraver.Fonts.Finding;
+using Engraver.Workbench.Lettering;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>Collects what lettering reports: each font, character, code and form once, with the first place in the file and the number of texts.</summary>
 internal sealed class LetteringFindings

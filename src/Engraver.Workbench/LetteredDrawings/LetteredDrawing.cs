@@ -1,8 +1,10 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Workbench.Lettering;
+using Engraver.Workbench.Lettering.Paragraphs;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>A drawing with the letters of texts as curves. Behind its entities, whose indices remain, is one for each of its texts, in their order: that of
 /// a text without letters has no part.</summary>
@@ -28,7 +30,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         {
             cancellation.ThrowIfCancellationRequested();
             var text = drawing.Texts[index];
-            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
+            if (isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
             {
                 done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
                 continue;
@@ -41,10 +43,17 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
     }
 
+    /// <summary>The layout of a text of any type; null if it has no size.</summary>
+    public static TextLayout? LayoutOf(PlacedText text, LetterFonts fonts)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        return text.Written.Paragraphs is null ? LineLayout.Of(text, fonts) : ParagraphLayout.Of(text, fonts);
+    }
+
     private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, double maxError, LetteringFindings findings)
     {
         var source = SourceOf(text);
-        if (LineLayout.Of(text, fonts) is not { } layout)
+        if (LayoutOf(text, fonts) is not { } layout)
         {
             findings.AddNoSize(source, text.Content);
             return null;
