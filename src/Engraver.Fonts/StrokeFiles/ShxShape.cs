@@ -136,8 +136,8 @@ internal sealed class ShxShape
 
     private static int Factor(ShxBytes bytes) => bytes.Next() is > 0 and var factor ? factor : throw new BrokenFontException("A shape of the SHX file is scaled by zero.");
 
-    /// <summary>A vector in one of sixteen directions, counter-clockwise from the right. They end on a square: the longer of its two parts is the length, the
-    /// other one that, half of it, or zero.</summary>
+    /// <summary>A vector in one of sixteen directions, counter-clockwise from the right. They end on a square: the longer of the two parts is the length, the
+    /// other one is the same, half of it, or zero.</summary>
     private void MoveAlong(int length, int direction)
     {
         if (length == 0) throw new BrokenFontException("A shape of the SHX file has an unknown code.");

@@ -10,7 +10,7 @@ public class ShxFontTests
 
     public static TheoryData<string, byte[], string, double> Codes => new()
     {
-        // Vectors: the longer part is the length, the other one that, half or none of it.
+        // Vectors: the longer part is the length, the other one is the same, half of it, or zero.
         { "right, up", [0x20, 0x34], "M0,0 L2,0 L2,3", 2 },
         { "each direction", [0x20, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27], "M0,0 L2,0 L4,1 L6,3 L7,5 L7,7 L6,9 L4,11 L2,12", 2 },
         { "each other direction", [0x28, 0x29, 0x2A, 0x2B, 0x2C, 0x2D, 0x2E, 0x2F], "M0,0 L-2,0 L-4,-1 L-6,-3 L-7,-5 L-7,-7 L-6,-9 L-4,-11 L-2,-12", -2 },
