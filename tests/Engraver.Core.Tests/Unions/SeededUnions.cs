@@ -11,30 +11,15 @@ internal static class SeededUnions
     public static IReadOnlyList<IReadOnlyList<Segment>> Of(int seed)
     {
         var random = new Random(seed);
-        IReadOnlyList<IReadOnlyList<Segment>> contours = (seed % 6) switch
+        IReadOnlyList<IReadOnlyList<Segment>> contours = (seed % 5) switch
         {
             0 => Contours(random, 1 + random.Next(6), () => Lattice(random, 3 + random.Next(6), random.Next(2) == 0 ? 3 : 6)),
             1 => Contours(random, 1 + random.Next(5), () => Anywhere(random, 3 + random.Next(8), arcs: true)),
             2 => Contours(random, 2 + random.Next(12), () => Tile(random)),
             3 => Contours(random, 1 + random.Next(6), () => Ring(random)),
-            4 => AlmostEqual(random),
             _ => Contours(random, 1 + random.Next(3), () => Anywhere(random, 3 + random.Next(20), arcs: random.Next(2) == 0)),
         };
         return random.Next(3) == 0 ? Mapped(contours, Transform2D.Rotate(new Point2D(1.0, 2.0), Angle.FromDegrees(360.0 * random.NextDouble()))) : contours;
-    }
-
-    /// <summary>Copies that are moved and turned by less and by more than the tolerance.</summary>
-    private static IReadOnlyList<IReadOnlyList<Segment>> AlmostEqual(Random random)
-    {
-        var contour = random.Next(2) == 0 ? Lattice(random, 3 + random.Next(6), 4) : Anywhere(random, 3 + random.Next(5), arcs: true);
-        var contours = new List<IReadOnlyList<Segment>> { contour };
-        for (var copies = 1 + random.Next(3); copies > 0; copies--)
-        {
-            var (by, turn) = (Math.Pow(10.0, -random.Next(5, 13)), Math.Pow(10.0, -random.Next(5, 13)));
-            contours.AddRange(Mapped([contour], new Transform2D(1.0, Angle.FromRadians(turn), false, new Vector2D(by * random.NextDouble(), by * random.NextDouble()))));
-        }
-
-        return contours;
     }
 
     public static IReadOnlyList<IReadOnlyList<Segment>> Mapped(IReadOnlyList<IReadOnlyList<Segment>> contours, Transform2D map) =>
