@@ -29,9 +29,16 @@ public class RandomUnionTests
         for (var seed = 0; seed < Seeds / 6; seed++) Judge(seed, new Transform2D(scale, Angle.FromDegrees(17.0), seed % 2 == 1, new Vector2D(place, -0.7 * place)), tolerance);
     }
 
-    private static void Judge(int seed, Transform2D map, double tolerance)
+    [Fact]
+    public void Copies_that_almost_coincide_are_united()
     {
-        var contours = SeededUnions.Mapped(SeededUnions.Of(seed), map);
+        for (var seed = 0; seed < Seeds; seed++) Judge(seed, SeededUnions.AlmostEqual(seed), 1e-9);
+    }
+
+    private static void Judge(int seed, Transform2D map, double tolerance) => Judge(seed, SeededUnions.Mapped(SeededUnions.Of(seed), map), tolerance);
+
+    private static void Judge(int seed, IReadOnlyList<IReadOnlyList<Segment>> contours, double tolerance)
+    {
         var fault = new UnionWitness(contours).Fault(ContourUnion.Unite(contours, tolerance), 24);
         Assert.True(fault is null, FormattableString.Invariant($"seed {seed}: {fault}"));
     }

@@ -22,6 +22,21 @@ internal static class SeededUnions
         return random.Next(3) == 0 ? Mapped(contours, Transform2D.Rotate(new Point2D(1.0, 2.0), Angle.FromDegrees(360.0 * random.NextDouble()))) : contours;
     }
 
+    /// <summary>Copies that are moved and turned by less and by more than the tolerance.</summary>
+    public static IReadOnlyList<IReadOnlyList<Segment>> AlmostEqual(int seed)
+    {
+        var random = new Random(seed);
+        var contour = random.Next(2) == 0 ? Lattice(random, 3 + random.Next(6), 4) : Anywhere(random, 3 + random.Next(5), arcs: true);
+        var contours = new List<IReadOnlyList<Segment>> { contour };
+        for (var copies = 1 + random.Next(3); copies > 0; copies--)
+        {
+            var (by, turn) = (Math.Pow(10.0, -random.Next(5, 13)), Math.Pow(10.0, -random.Next(5, 13)));
+            contours.AddRange(Mapped([contour], new Transform2D(1.0, Angle.FromRadians(turn), false, new Vector2D(by * random.NextDouble(), by * random.NextDouble()))));
+        }
+
+        return contours;
+    }
+
     public static IReadOnlyList<IReadOnlyList<Segment>> Mapped(IReadOnlyList<IReadOnlyList<Segment>> contours, Transform2D map) =>
         [.. contours.Select(contour => Closed([.. contour.Select(segment => segment.Mapped(map))]))];
 

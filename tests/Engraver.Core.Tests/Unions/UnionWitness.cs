@@ -87,10 +87,11 @@ internal sealed class UnionWitness
         var beside = 1e-6 * _size;
         foreach (var segment in result.Contours.SelectMany(contour => contour))
         {
+            if (segment.Length < 100.0 * beside) continue;
             foreach (var at in new[] { 0.1371, 0.4637, 0.7719 })
             {
                 var (place, tangent) = (segment.PointAt(at), segment.TangentAt(at));
-                if (Distance(place) > 1e-8 * _size) return FormattableString.Invariant($"{place} of the result is {Distance(place):E2} away from the contours");
+                if (Distance(place) > 1e-7 * _size) return FormattableString.Invariant($"{place} of the result is {Distance(place):E2} away from the contours");
                 var (left, right) = (place + (new Vector2D(-tangent.Y, tangent.X) * beside), place + (new Vector2D(tangent.Y, -tangent.X) * beside));
                 if (Distance(left) < 0.9999 * beside || Distance(right) < 0.9999 * beside) continue;
                 var (onLeft, onRight) = (Winding(_parts, left), Winding(_parts, right));
