@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Unions;
+using Engraver.TestKit;
 using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Unions;

@@ -2,11 +2,11 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Unions;
 
-namespace Engraver.Core.Tests.Unions;
+namespace Engraver.TestKit;
 
 /// <summary>Judges a union by where horizontal lines cross the contours: arcs are divided at their highest and lowest points, and x follows from the equation of
 /// the circle.</summary>
-internal sealed class UnionWitness
+public sealed class UnionWitness
 {
     private readonly Segment[] _given;
     private readonly Part[] _parts;
