@@ -4,8 +4,8 @@ using Engraver.Core.Unions;
 
 namespace Engraver.TestKit;
 
-/// <summary>Judges a union by where horizontal lines cross the contours: arcs are divided at their highest and lowest points, and x follows from the equation of
-/// the circle.</summary>
+/// <summary>Judges a union by where horizontal lines cross the contours: arcs are divided at their highest and lowest points, and x follows from the equation
+/// of the circle.</summary>
 public sealed class UnionWitness
 {
     private readonly Segment[] _given;

@@ -4,16 +4,6 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets.Graphs;
 
-/// <summary>Which common points of two pieces become nodes.</summary>
-internal enum PieceContact : byte
-{
-    /// <summary>Points where pieces cross, and the ends of common parts. Neighbours that are almost tangent meet only in their joint.</summary>
-    Crossings,
-
-    /// <summary>Also the ends of pieces that touch another piece.</summary>
-    CrossingsAndEnds,
-}
-
 /// <summary>Chains of pieces cut at every point where they cross: nodes and edges. Points that coincide within the tolerance are one node, so that edges are
 /// joined by number and never by distance.</summary>
 internal sealed class PieceGraph

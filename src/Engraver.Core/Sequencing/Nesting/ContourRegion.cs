@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>The region inside a closed contour, with exact arcs: its area, whether a point is inside (even-odd rule), and how often the contour runs around it.</summary>
+/// <summary>The region inside a closed contour, with exact arcs: its area, whether a point is inside (even-odd rule), and how often the contour runs around
+/// it.</summary>
 public sealed class ContourRegion
 {
     private readonly Segment[] _segments;
@@ -77,8 +78,8 @@ public sealed class ContourRegion
         return isInCircle && isRightOfChord == isCounterClockwise ? chord + turn : chord;
     }
 
-    /// <summary>A point exactly on a line is on the left of its upward (or rightward) direction, as if it were slightly to the left and even less above: lines of
-    /// both directions and half-open ends agree.</summary>
+    /// <summary>A point exactly on a line is on the left of its upward (or rightward) direction, as if it were slightly to the left and even less above: lines
+    /// of both directions and half-open ends agree.</summary>
     private static bool IsRightOf(LineSegment line, Point2D place)
     {
         var isUpwards = line.End.Y > line.Start.Y || (line.End.Y == line.Start.Y && line.End.X > line.Start.X);
