@@ -27,7 +27,7 @@ internal static class InfoVerb
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             StageOptions.CheckLayers(read, settings);
             var summary = DrawingSummary.From(read);
-            IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(read, settings)];
+            IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(JobPreparation.To<LetteredJob>(read, settings))];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
             // The second reader handles curves only, not the outlines of --cut.

@@ -35,7 +35,7 @@ internal static class SequenceVerb
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceText.Write(host.Out, result);
-            return Task.FromResult(host.Report(parsed, read.FileName, [.. posted?.Diagnostics ?? [.. ordered.Drawing.Diagnostics, .. JobPreparation.Findings(ordered.Drawing, settings), .. result.Diagnostics], .. ordered.Cut.FindingsBeside(result)]));
+            return Task.FromResult(host.Report(parsed, read.FileName, [.. posted?.Diagnostics ?? [.. ordered.Drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. result.Diagnostics], .. ordered.Cut.FindingsBeside(result)]));
         });
         return command;
     }

@@ -19,4 +19,13 @@ public enum CurveType : byte
     Solid,
     Trace,
     Face3D,
+
+    /// <summary>The letters of a TEXT or constant ATTDEF (this and the following only when texts are cut).</summary>
+    Text,
+
+    /// <summary>The letters of an MTEXT.</summary>
+    MText,
+
+    /// <summary>The letters of an attribute of an insert.</summary>
+    Attribute,
 }

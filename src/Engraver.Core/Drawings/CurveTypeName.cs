@@ -22,6 +22,9 @@ public static class CurveTypeName
         CurveType.Solid => "SOLID",
         CurveType.Trace => "TRACE",
         CurveType.Face3D => "3DFACE",
+        CurveType.Text => "TEXT",
+        CurveType.MText => "MTEXT",
+        CurveType.Attribute => "ATTRIB",
         _ => throw new UnreachableException(),
     };
 }

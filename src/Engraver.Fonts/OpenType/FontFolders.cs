@@ -5,15 +5,17 @@ public static class FontFolders
 {
     private static readonly string[] s_extensions = [".ttf", ".otf", ".ttc", ".otc"];
 
-    /// <summary>The usual folders of a Linux system and of its user; those that do not exist are left out later.</summary>
-    public static IReadOnlyList<string> Standard
-    {
-        get
-        {
-            var home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile);
-            return ["/usr/share/fonts", "/usr/local/share/fonts", Path.Combine(home, ".local/share/fonts"), Path.Combine(home, ".fonts")];
-        }
-    }
+    /// <summary>The usual folders of this system and of its user; those that do not exist are left out later.</summary>
+    public static IReadOnlyList<string> Standard => OperatingSystem.IsWindows() ? Windows : OperatingSystem.IsMacOS() ? MacOS : Linux;
+
+    internal static IReadOnlyList<string> Windows =>
+        [Environment.GetFolderPath(Environment.SpecialFolder.Fonts), Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData), "Microsoft", "Windows", "Fonts")];
+
+    internal static IReadOnlyList<string> MacOS => ["/System/Library/Fonts", "/Library/Fonts", Path.Combine(Home, "Library/Fonts")];
+
+    internal static IReadOnlyList<string> Linux => ["/usr/share/fonts", "/usr/local/share/fonts", Path.Combine(Home, ".local/share/fonts"), Path.Combine(Home, ".fonts")];
+
+    private static string Home => Environment.GetFolderPath(Environment.SpecialFolder.UserProfile);
 
     /// <summary>In the order of their names, so that the choice between equal fonts is always the same.</summary>
     public static IEnumerable<string> Files(IEnumerable<string> folders)
@@ -22,6 +24,9 @@ public static class FontFolders
         return folders
             .Where(Directory.Exists)
             .SelectMany(folder => Directory.EnumerateFiles(folder, "*", options).Order(StringComparer.Ordinal))
-            .Where(path => s_extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase));
+            .Where(IsOutlineFile);
     }
+
+    /// <summary>True if the extension is that of a TrueType or OpenType font.</summary>
+    public static bool IsOutlineFile(string path) => s_extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
 }

@@ -4,8 +4,9 @@ namespace Engraver.Fonts.OpenType;
 
 /// <summary>The names of a face (OpenType 1.9, name).</summary>
 /// <param name="Family">The family of all weights and widths.</param>
+/// <param name="StyleFamily">The family of at most four styles (regular, bold, italic, bold italic), as Windows programs and drawings name it.</param>
 /// <param name="Full">Family and style.</param>
-public sealed record FontNames(string Family, string Full)
+public sealed record FontNames(string Family, string StyleFamily, string Full)
 {
     private const int WindowsPlatform = 3;
     private const int MacintoshPlatform = 1;
@@ -18,8 +19,9 @@ public sealed record FontNames(string Family, string Full)
     /// <exception cref="BrokenFontException">The table is invalid, or has no family.</exception>
     public static FontNames Read(FontBytes table)
     {
-        var family = Find(table, TypographicFamilyId) ?? Find(table, FamilyId) ?? throw new BrokenFontException("The font has no name.");
-        return new FontNames(family, Find(table, FullId) ?? family);
+        var styleFamily = Find(table, FamilyId);
+        var family = Find(table, TypographicFamilyId) ?? styleFamily ?? throw new BrokenFontException("The font has no name.");
+        return new FontNames(family, styleFamily ?? family, Find(table, FullId) ?? family);
     }
 
     /// <summary>In English where the font has that.</summary>

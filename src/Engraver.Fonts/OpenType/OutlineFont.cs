@@ -28,7 +28,8 @@ public sealed class OutlineFont : ITextFont
         var names = FontNames.Read(file.Table("name"));
         Name = names.Full;
         FamilyName = names.Family;
-        (Weight, IsItalic) = StyleOf(file);
+        var style = FontStyle.Read(file);
+        (Weight, IsItalic) = (style.Weight, style.IsItalic);
         Metrics = MetricsOf(file);
     }
 
@@ -71,18 +72,6 @@ public sealed class OutlineFont : ITextFont
     /// <summary>The outline of a TrueType glyph is where the table of widths has its left edge, which in some glyphs is not where the
     /// description has it.</summary>
     private int ShiftOf(int glyph) => _outlines.StatedLeft(glyph) is { } left ? _widths.LeftOf(glyph) - left : 0;
-
-    private static (int Weight, bool IsItalic) StyleOf(FontFile file)
-    {
-        const int BoldInHead = 1, ItalicInHead = 2, Regular = 400, Bold = 700;
-        if (file.Has("OS/2"))
-        {
-            var style = file.Table("OS/2");
-            return (style.UInt16(4), (style.UInt16(62) & 1) != 0);
-        }
-        var flags = file.Table("head").UInt16(44);
-        return ((flags & BoldInHead) != 0 ? Bold : Regular, (flags & ItalicInHead) != 0);
-    }
 
     private FontMetrics MetricsOf(FontFile file)
     {

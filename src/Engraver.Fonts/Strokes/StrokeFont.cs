@@ -4,6 +4,9 @@ namespace Engraver.Fonts.Strokes;
 /// the format), read once.</summary>
 public sealed class StrokeFont : ITextFont
 {
+    private const string Shapes = "shapes.txt";
+    private const string Compositions = "compositions.txt";
+
     private static readonly Lazy<StrokeFont> s_engraver = new(ReadEmbedded);
 
     private readonly Dictionary<int, GlyphCurves> _glyphs;
@@ -24,6 +27,9 @@ public sealed class StrokeFont : ITextFont
 
     public FontMetrics Metrics { get; }
 
+    /// <summary>The files that <see cref="Engraver"/> is read from.</summary>
+    internal static IReadOnlyList<string> DataFiles => [Shapes, Compositions];
+
     /// <summary>The characters of the font, in order.</summary>
     public IEnumerable<int> CodePoints => _glyphs.Keys.Order();
 
@@ -40,13 +46,12 @@ public sealed class StrokeFont : ITextFont
     /// <returns>0: each letter has its own bearings.</returns>
     public double KerningOf(int left, int right) => 0;
 
+    internal static Stream OpenData(string file) => typeof(StrokeFont).Assembly.GetManifestResourceStream("Engraver.Fonts.Strokes.Data." + file)!;
+
     private static StrokeFont ReadEmbedded()
     {
-        const string Shapes = "shapes.txt", Compositions = "compositions.txt";
-        using var shapes = Open(Shapes);
-        using var compositions = Open(Compositions);
+        using var shapes = new StreamReader(OpenData(Shapes));
+        using var compositions = new StreamReader(OpenData(Compositions));
         return Read("Engraver", Shapes, shapes, Compositions, compositions);
     }
-
-    private static StreamReader Open(string file) => new(typeof(StrokeFont).Assembly.GetManifestResourceStream("Engraver.Fonts.Strokes.Data." + file)!);
 }

@@ -38,6 +38,11 @@ public static class JobPreparation
         return (ordered.Sequence.Table, ordered.Cut.Kerf?.Diagnostics ?? []);
     }
 
-    /// <summary>Findings on the drawing before it is cut (<see cref="CutFindings"/>).</summary>
-    public static IReadOnlyList<Diagnostic> Findings(Drawing drawing, DrawingSettings settings) => InspectStage.FindingsOf(drawing, settings);
+    /// <summary>Findings on the drawing before it is cut: its texts, and <see cref="CutFindings"/>.</summary>
+    /// <param name="job">A job that has not been inspected.</param>
+    public static IReadOnlyList<Diagnostic> Findings(LetteredJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return [.. job.Findings, .. InspectStage.FindingsOf(job.Drawing, job.Settings)];
+    }
 }

@@ -28,7 +28,8 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public static PostedProgram Create(Drawing drawing, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(post);
-        if (drawing.Entities.Count == 0) return CreateEmpty(drawing, settings, drawing.Diagnostics);
+        var lettered = JobPreparation.To<LetteredJob>(drawing, settings);
+        if (lettered.Drawing.Entities.Count == 0) return CreateEmpty(lettered.Drawing, settings, [.. drawing.Diagnostics, .. lettered.Findings]);
         if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
         var posted = FromSequence(ordered, post, options);
@@ -52,7 +53,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
         var (drawing, settings, sequence) = (job.Drawing, job.Settings, job.Sequence);
-        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
+        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(job), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return CreateEmpty(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
         if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { NoProgramReason = PreparedJob.NotAsDrawn(faults) };

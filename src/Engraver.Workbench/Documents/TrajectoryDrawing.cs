@@ -29,7 +29,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         if (request.Offset is { } offset) work.AddOffsets(sequence, offset);
         else work.AddPaths(sequence);
         if (sequence.Contours == 0 && !DrawingFile.IsUnreadable(drawing)) work.Findings.Add(DocumentRules.NothingToPost.At(default));
-        return new TrajectoryDrawing(work.Results, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. ordered.Cut.FindingsBeside(sequence), .. work.Findings]);
+        return new TrajectoryDrawing(work.Results, [.. drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. sequence.Diagnostics, .. ordered.Cut.FindingsBeside(sequence), .. work.Findings]);
     }
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)

@@ -59,10 +59,10 @@ public sealed record DrawingSettings
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
 
     /// <summary>The settings for records of a drawing: with the unit and the construction that were chosen when it was opened, so that they
-    /// open it again with the same scale and the same curves.</summary>
+    /// open it again with the same scale and the same curves. Texts are not read differently: whether they are cut is a setting of the job.</summary>
     public DrawingSettings AsOpened(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null, Cut = drawing.Cut };
+        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null, Cut = (drawing.Cut & ~CutChoice.Text) | (Cut & CutChoice.Text) };
     }
 }

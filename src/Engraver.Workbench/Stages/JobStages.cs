@@ -5,6 +5,7 @@ public static class JobStages
 {
     public static IReadOnlyList<JobStage> All { get; } =
     [
+        new LetterStage(),
         new TableStage(),
         new KerfStage(),
         new ChainStage(),

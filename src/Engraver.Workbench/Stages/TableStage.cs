@@ -4,11 +4,11 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Stages;
 
 /// <summary>Converts the curves of the selected layers to rows in millimetres and analyses the arcs.</summary>
-internal sealed class TableStage() : JobStage<DrawnJob, AnalysedJob>("Table", share: 10)
+internal sealed class TableStage() : JobStage<LetteredJob, AnalysedJob>("Table", share: 10)
 {
     public override IReadOnlyList<Setting> Settings => [SettingTable.Layers, SettingTable.SkippedLayers];
 
-    protected override AnalysedJob Execute(DrawnJob job, CancellationToken cancellation)
+    protected override AnalysedJob Execute(LetteredJob job, CancellationToken cancellation)
     {
         StageOptions.CheckLayers(job.Drawing, job.Settings);
         return new AnalysedJob(job, ArcAnalysis.Analyse(EntityTableBuilder.Build(job.Drawing, StageOptions.SelectionOf(job.Settings))));

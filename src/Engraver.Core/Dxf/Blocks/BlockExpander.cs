@@ -110,6 +110,6 @@ internal sealed class BlockExpander(
         var refused = outcome == PlacementOutcome.OutOfRange;
         if (!(refused ? _lostCurves : _tilted).Add(index)) return;
         ref var entity = ref blockCurves.Entities[index];
-        balance.AddInBlock(new RecordIssue(PlacedPart.RuleFor(outcome), entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", refused));
+        balance.AddInBlock(new RecordIssue(refused ? DxfRules.OutOfRange : DxfRules.TiltedCurve, entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", refused));
     }
 }

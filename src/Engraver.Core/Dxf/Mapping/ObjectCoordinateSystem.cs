@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 

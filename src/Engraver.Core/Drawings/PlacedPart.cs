@@ -1,13 +1,9 @@
-using System.Diagnostics;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Tags;
 using Engraver.Core.Geometry;
 
-namespace Engraver.Core.Dxf.Mapping;
+namespace Engraver.Core.Drawings;
 
 /// <summary>Transforms a part by a placement: a line remains a line, an arc remains one or becomes an ellipse, ellipses and splines keep their kind.</summary>
-internal static class PlacedPart
+public static class PlacedPart
 {
     /// <summary>Slope below which a tilted circle counts as level: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
     private const double FlatSlope = 1e-6;
@@ -17,19 +13,14 @@ internal static class PlacedPart
     /// <param name="placement">The map to apply.</param>
     /// <param name="placedCurves">Receives the curve when the placed part is an ellipse or spline, which then refers to it.</param>
     /// <param name="placed">The transformed part.</param>
-    public static PlacementOutcome Try(in DrawingPart part, List<RationalCurve> curves, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    /// <returns>Out of range: <paramref name="placed"/> is not usable.</returns>
+    public static PlacementOutcome Try(in DrawingPart part, IReadOnlyList<RationalCurve> curves, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
     {
+        ArgumentNullException.ThrowIfNull(curves);
+        ArgumentNullException.ThrowIfNull(placedCurves);
         if (part.Kind == SegmentKind.Line) return TryLine(part, placement, out placed);
         return part.IsFreeCurve ? TryCurve(part, curves[part.CurveIndex], placement, placedCurves, out placed) : TryArc(part, placement, placedCurves, out placed);
     }
-
-    /// <summary>The finding that belongs to an outcome other than <see cref="PlacementOutcome.Exact"/>.</summary>
-    public static DiagnosticRule RuleFor(PlacementOutcome outcome) => outcome switch
-    {
-        PlacementOutcome.Tilted => DxfRules.TiltedCurve,
-        PlacementOutcome.OutOfRange => DxfRules.OutOfRange,
-        _ => throw new UnreachableException(),
-    };
 
     private static PlacementOutcome TryLine(in DrawingPart part, in Placement placement, out DrawingPart placed)
     {
@@ -89,8 +80,10 @@ internal static class PlacedPart
     private static bool IsLevel(in Placement placement) =>
         Math.Abs(placement.XAxis.Z) <= FlatSlope * placement.XAxis.Length && Math.Abs(placement.YAxis.Z) <= FlatSlope * placement.YAxis.Length;
 
+    /// <summary>True when every number of the curve is usable in a drawing.</summary>
     public static bool InRange(RationalCurve curve)
     {
+        ArgumentNullException.ThrowIfNull(curve);
         foreach (var span in curve.Spans)
         {
             if (!InRange(span)) return false;
@@ -99,14 +92,15 @@ internal static class PlacedPart
         return true;
     }
 
+    /// <summary>True for a point that is not above the largest coordinate.</summary>
     public static bool InRange(Vector3D point) =>
-        Math.Abs(point.X) <= DxfNumber.Largest && Math.Abs(point.Y) <= DxfNumber.Largest && Math.Abs(point.Z) <= DxfNumber.Largest;
+        Math.Abs(point.X) <= Drawing.LargestCoordinate && Math.Abs(point.Y) <= Drawing.LargestCoordinate && Math.Abs(point.Z) <= Drawing.LargestCoordinate;
 
     private static bool InRange(BezierSpan span)
     {
         foreach (var value in span.Homogeneous)
         {
-            if (!(Math.Abs(value) <= DxfNumber.Largest)) return false;
+            if (!(Math.Abs(value) <= Drawing.LargestCoordinate)) return false;
         }
 
         return true;

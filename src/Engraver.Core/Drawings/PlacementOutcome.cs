@@ -1,7 +1,7 @@
-namespace Engraver.Core.Dxf.Mapping;
+namespace Engraver.Core.Drawings;
 
 /// <summary>Result of transforming a part.</summary>
-internal enum PlacementOutcome
+public enum PlacementOutcome
 {
     /// <summary>Transformed exactly (a circle may have become an ellipse).</summary>
     Exact,

@@ -1,0 +1,48 @@
+using System.Collections.Concurrent;
+using Engraver.Core.Drawings;
+using Engraver.Fonts.Finding;
+using Engraver.Fonts.OpenType;
+
+namespace Engraver.Workbench.Lettering;
+
+/// <summary>The fonts that a drawing can use: those beside it, those in the folder of the program, those of the system.</summary>
+public static class LetterLibrary
+{
+    /// <summary>Name of the program's folder for fonts.</summary>
+    public const string Folder = "fonts";
+
+    private static readonly ConcurrentDictionary<string, Known> s_libraries = new(StringComparer.Ordinal);
+
+    /// <summary>The program's folder for fonts of the user.</summary>
+    public static string ProgramFolder => Path.Combine(AppContext.BaseDirectory, Folder);
+
+    /// <summary>The fonts for one preparation. Font files are read once for each folder of drawings, and again when a file was added to or removed from it, or
+    /// the substitution table was changed.</summary>
+    public static LetterFonts FontsOf(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var beside = drawing.IsNew ? "" : Path.GetDirectoryName(Path.GetFullPath(drawing.FileName)) ?? "";
+        var changed = (ChangeOf(beside), ChangeOf(ProgramFolder));
+        var known = s_libraries.AddOrUpdate(beside, folder => Known.Of(folder, changed), (folder, earlier) => earlier.Changed == changed ? earlier : Known.Of(folder, changed));
+        return new LetterFonts(drawing.Styles, known.Library, known.Substitutes.Faults);
+    }
+
+    /// <summary>The last change of a folder and of its substitution table.</summary>
+    private static DateTime ChangeOf(string folder)
+    {
+        if (folder.Length == 0 || !Directory.Exists(folder)) return default;
+        var table = Path.Combine(folder, FontSubstitutes.FileName);
+        var (list, content) = (Directory.GetLastWriteTimeUtc(folder), File.Exists(table) ? File.GetLastWriteTimeUtc(table) : default);
+        return list > content ? list : content;
+    }
+
+    private sealed record Known((DateTime Beside, DateTime Program) Changed, FontLibrary Library, FontSubstitutes Substitutes)
+    {
+        public static Known Of(string beside, (DateTime Beside, DateTime Program) changed)
+        {
+            string[] folders = [.. beside.Length > 0 ? new[] { beside } : [], ProgramFolder, .. FontFolders.Standard];
+            var substitutes = FontSubstitutes.In(folders);
+            return new Known(changed, new FontLibrary(folders, substitutes), substitutes);
+        }
+    }
+}

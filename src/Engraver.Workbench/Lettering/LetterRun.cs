@@ -1,0 +1,128 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Geometry;
+using Engraver.Fonts;
+using Engraver.Fonts.Finding;
+
+namespace Engraver.Workbench.Lettering;
+
+/// <summary>Places the characters of one font and format side by side. The scale is the height of the text over the font's height of capital letters.</summary>
+public static class LetterRun
+{
+    /// <summary>Of a text without a shape in any font: parts of the height of capital letters.</summary>
+    private const double BoxWidth = 0.6;
+    private const double BoxAdvance = 0.8;
+    private const double BlankAdvance = 0.6;
+
+    /// <summary>Slants beyond this are not in the range of the field (DXF reference, "TEXT", group 51).</summary>
+    private const double LargestSlant = 85.0;
+
+    /// <param name="text">UTF-16 without codes; composed here (normal form C). A tab is a blank.</param>
+    /// <param name="origin">Of the first character, on the baseline.</param>
+    /// <param name="notes">Receives the characters without a shape in the font.</param>
+    public static LetterRunResult Set(string text, FoundFont font, LetterFormat format, Point2D origin, LayoutNotes notes)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        ArgumentNullException.ThrowIfNull(font);
+        ArgumentNullException.ThrowIfNull(notes);
+        var (glyphs, x, left) = (new List<GlyphPlace>(), origin.X, default(int?));
+        foreach (var rune in Composed(text).EnumerateRunes())
+        {
+            if (IsWithoutShape(rune)) continue;
+            if (NeedsShaping(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
+            var (from, codePoint, curves) = GlyphOf(rune.Value, font, notes);
+            var scale = format.Height / from.Font.Metrics.CapHeight;
+            if (left is { } before && ReferenceEquals(from, font)) x += KerningOf(font.Font, before, codePoint) * scale * format.WidthFactor;
+            left = ReferenceEquals(from, font) ? codePoint : null;
+            if (curves.Contours.Count > 0) glyphs.Add(new GlyphPlace(from, codePoint, curves, MapOf(format, scale, x, origin.Y)));
+            x += curves.Advance * scale * format.WidthFactor * format.Tracking;
+        }
+
+        return new LetterRunResult(glyphs, x - origin.X);
+    }
+
+    /// <summary>The map of a point of the plane that is slanted with the letters of a run: for lines drawn with them.</summary>
+    internal static double SlantAt(LetterFormat format, double above) => above * SlopeOf(format.Oblique);
+
+    private static Placement MapOf(LetterFormat format, double scale, double x, double y) => new(
+        new Vector3D(scale * format.WidthFactor, 0.0, 0.0),
+        new Vector3D(scale * SlopeOf(format.Oblique), scale, 0.0),
+        new Vector3D(0.0, 0.0, scale),
+        new Vector3D(x, y, 0.0));
+
+    private static double SlopeOf(Angle oblique)
+    {
+        if (oblique == Angle.Zero) return 0.0;
+        var signed = Math.IEEERemainder(oblique.Degrees, 360.0);
+        return Math.Tan(Angle.FromDegrees(Math.Clamp(signed, -LargestSlant, LargestSlant)).Radians);
+    }
+
+    private static string Composed(string text)
+    {
+        try
+        {
+            return text.Normalize(NormalizationForm.FormC);
+        }
+        catch (ArgumentException)
+        {
+            return text; // half of a surrogate pair: its characters are looked up as they are
+        }
+    }
+
+    /// <summary>The shape of a character: the font's, otherwise the stroke font's, otherwise a box.</summary>
+    private static (FoundFont Font, int CodePoint, GlyphCurves Curves) GlyphOf(int codePoint, FoundFont font, LayoutNotes notes)
+    {
+        if (Shape(codePoint, font.Font, notes) is { } own) return (font, codePoint, own);
+        var isBlank = Rune.IsWhiteSpace(new Rune(codePoint));
+        if (isBlank) return (font, codePoint, Shape(' ', font.Font, notes) ?? new GlyphCurves(BlankAdvance * font.Font.Metrics.CapHeight, []));
+        var substitute = LetterFonts.BuiltIn;
+        if (Shape(codePoint, substitute.Font, notes) is { } shape)
+        {
+            notes.Add(LayoutNoteKind.GlyphSubstituted, Name(codePoint));
+            return (substitute, codePoint, shape);
+        }
+
+        notes.Add(LayoutNoteKind.GlyphMissing, Name(codePoint));
+        return (substitute, 0, Box(substitute.Font.Metrics.CapHeight));
+    }
+
+    private static GlyphCurves? Shape(int codePoint, ITextFont font, LayoutNotes notes)
+    {
+        try
+        {
+            return font.GlyphOf(codePoint);
+        }
+        catch (BrokenFontException)
+        {
+            notes.Add(LayoutNoteKind.GlyphBroken, Name(codePoint));
+            return null;
+        }
+    }
+
+    private static double KerningOf(ITextFont font, int left, int right)
+    {
+        try
+        {
+            return font.KerningOf(left, right);
+        }
+        catch (BrokenFontException)
+        {
+            return 0.0; // its shapes are readable, only the pair is not: the plain advance
+        }
+    }
+
+    private static GlyphCurves Box(double height)
+    {
+        var width = BoxWidth * height;
+        GlyphPiece[] sides = [GlyphPiece.Line(new FontPoint(width, 0.0)), GlyphPiece.Line(new FontPoint(width, height)), GlyphPiece.Line(new FontPoint(0.0, height)), GlyphPiece.Line(default)];
+        return new GlyphCurves(BoxAdvance * height, [new GlyphContour(default, sides, IsClosed: true)]);
+    }
+
+    private static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
+
+    /// <summary>Controls of layout, which no font draws: joiners, marks of direction, soft hyphens, variation selectors.</summary>
+    private static bool IsWithoutShape(Rune rune) => Rune.GetUnicodeCategory(rune) is UnicodeCategory.Format or UnicodeCategory.Control ? rune.Value != '\t' : rune.Value is >= 0xFE00 and <= 0xFE0F;
+
+    /// <summary>Arabic and its neighbours, the scripts of India and of South East Asia that combine their letters.</summary>
+    private static bool NeedsShaping(Rune rune) => rune.Value is >= 0x0590 and <= 0x08FF or >= 0x0900 and <= 0x0DFF or >= 0x0F00 and <= 0x109F or >= 0x1780 and <= 0x17FF;
+}

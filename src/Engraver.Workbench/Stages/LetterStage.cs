@@ -1,0 +1,23 @@
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Lettering;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Stages;
+
+/// <summary>Makes curves of the texts on the selected layers, if the settings request it.</summary>
+internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 2)
+{
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Cut, SettingTable.Layers, SettingTable.SkippedLayers];
+
+    public override bool StartsStep => false;
+
+    public override bool IsMeasured => false; // The measured drawing has no text.
+
+    protected override LetteredJob Execute(DrawnJob job, CancellationToken cancellation)
+    {
+        if (!job.Settings.Cut.HasFlag(CutChoice.Text) || job.Drawing.Texts.Count == 0) return new LetteredJob(job, LetteredDrawing.None(job.Drawing));
+        var taken = StageOptions.SelectionOf(job.Settings).Taken(job.Drawing.Layers);
+        var letters = LetteredDrawing.Of(job.Drawing, text => !text.Hidden && taken[text.Layer], LetterLibrary.FontsOf(job.Drawing), cancellation);
+        return new LetteredJob(job with { Drawing = letters.Drawing, Findings = [.. job.Findings, .. letters.Findings] }, letters);
+    }
+}
