@@ -36,6 +36,9 @@ public sealed record PlateValuesJson
     };
 }
 
+internal sealed record PlateJson(int Number, double X, double Y, PlateValuesJson Values);
+
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, RespectNullableAnnotations = true, RespectRequiredConstructorParameters = true)]
 [JsonSerializable(typeof(PlateValuesJson))]
+[JsonSerializable(typeof(PlateJson))]
 internal sealed partial class SerialJsonContext : JsonSerializerContext;
