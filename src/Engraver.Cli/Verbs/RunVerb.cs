@@ -54,6 +54,9 @@ internal sealed class RunVerb
     private RunJson? _report;
     private bool _isPrinted;
 
+    /// <summary>Journal of the last run; null if that run did not start.</summary>
+    private string? _startedJournal;
+
     /// <summary>The run is one of several plates, which have been run so far.</summary>
     private bool _isSeries;
     private readonly List<PlateReportJson> _plates = [];
@@ -144,7 +147,7 @@ internal sealed class RunVerb
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
                 code = Math.Max(code, errors);
                 if (machine == ExitCode.Done) continue;
-                _host.Error.WriteLine(plan.InterruptedText(index, _report?.Journal));
+                if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
                 return machine;
             }
 
@@ -170,6 +173,7 @@ internal sealed class RunVerb
     /// <returns>The exit code of the run, and that of the findings of the drawing.</returns>
     private async Task<(int Machine, int Findings)> RunPlateAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, PlateTurn? turn, CancellationToken stop)
     {
+        _startedJournal = null;
         var (job, fit) = await PrepareAsync(parsed, drawing, settings, strategy, turn?.Plate, stop).ConfigureAwait(false);
         _job = job;
         var code = _host.Report(parsed, job.Drawing.FileName, [.. job.Diagnostics.Where(found => _reported.Add((found.Source, found.Message)))]);
@@ -252,6 +256,7 @@ internal sealed class RunVerb
             throw;
         }
 
+        _startedJournal = report.Result.FrameOrigin is null ? null : options.JournalPath;
         if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
         open.End(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
         return Finish(parsed, job, report, options.JournalPath, checks);

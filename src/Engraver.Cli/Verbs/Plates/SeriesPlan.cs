@@ -96,9 +96,13 @@ internal sealed class SeriesPlan
         return false;
     }
 
-    /// <summary>What to do after a plate that is not complete.</summary>
+    /// <summary>What to do after a plate that is not complete; null for a single plate that was not started.</summary>
     /// <param name="journal">Of its run; null if it was not started.</param>
-    public string InterruptedText(int index, string? journal) => journal is null ? StoppedText(index) : Wording.Get("Series.Interrupted", index + 1, Series.Count, journal);
+    public string? InterruptedText(int index, string? journal)
+    {
+        if (Series.Count == 1) return journal is null ? null : Wording.Get("Series.InterruptedAlone", journal);
+        return journal is null ? StoppedText(index) : Wording.Get("Series.Interrupted", index + 1, Series.Count, journal);
+    }
 
     private string StoppedText(int index) => Series.Rows[index] is null ? Wording.Get("Series.Stopped", index + 1, Series.Count)
         : Wording.Get("Series.StoppedBeforeRow", index + 1, Series.Count, string.Join(',', Series.Rows.Skip(index).Select(row => row!.Number)));
