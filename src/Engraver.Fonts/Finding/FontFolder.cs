@@ -2,7 +2,8 @@ using Engraver.Fonts.OpenType;
 
 namespace Engraver.Fonts.Finding;
 
-/// <summary>The font files of one folder. Names are listed when a font is first searched in it, tables of names are read when a family is first searched.</summary>
+/// <summary>The font files of one folder. Names are listed when a font is first searched in it, tables of names are read when a family is
+/// first searched.</summary>
 internal sealed class FontFolder
 {
     private readonly Lazy<IReadOnlyList<string>> _files;
