@@ -66,6 +66,7 @@ public static class Certification
             Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')) { Dialect = request.Dialect },
             Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
             Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X.CountsPerMillimetre, machine.Scale.Y.CountsPerMillimetre, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
+            Fonts = job.Fonts,
             Ok = report.Ok,
             MaxDeviation = report.MaxDeviationMm,
             Tolerance = report.ToleranceMm,

@@ -11,6 +11,12 @@ namespace Engraver.Workbench.Lettering;
 /// <param name="Findings">Fonts, characters and codes; each once, with its first place.</param>
 public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText> Texts, IReadOnlyList<Diagnostic> Findings)
 {
+    /// <summary>The fonts of the texts that are cut.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
+    /// <summary>Texts whose letters are not where a second calculation has them (VER0023).</summary>
+    public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
+
     /// <summary>A drawing none of whose texts is cut.</summary>
     public static LetteredDrawing None(Drawing drawing) => new(drawing, [], []);
 
@@ -37,7 +43,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
             rest.Add(text);
         }
 
-        return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
+        return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts)) { Fonts = CutFont.Of(done, fonts), Faults = findings.Faults };
     }
 
     private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, LetteringFindings findings)
@@ -58,6 +64,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         }
 
         if (curves.IsTilted) findings.AddTilted(source);
+        if (LetterCheck.Find(LetterPlaces.Of(text, fonts.StyleOf(text.Style), fonts.Of(fonts.StyleOf(text.Style))), curves) is { } misplaced) findings.AddMisplaced(source, text.Content, misplaced);
         return (layout, curves);
     }
 

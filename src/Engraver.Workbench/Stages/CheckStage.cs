@@ -18,7 +18,7 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
 
     protected override CheckedJob Execute(MotionJob job, CancellationToken cancellation)
     {
-        var faults = job.Motion.Program is null ? [] : FaultsOf(job, job.Toolpath);
+        IReadOnlyList<Diagnostic> faults = job.Motion.Program is null ? job.Letters.Faults : [.. job.Letters.Faults, .. FaultsOf(job, job.Toolpath)];
         return new CheckedJob(faults.Count > 0 ? job with { Motion = job.Motion with { Program = null } } : job, faults);
     }
 
