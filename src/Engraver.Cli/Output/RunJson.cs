@@ -1,5 +1,5 @@
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output;
 

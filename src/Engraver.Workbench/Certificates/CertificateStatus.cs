@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Certificates;

@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 using Engraver.Workbench.Verification;

@@ -1,5 +1,5 @@
 using System.Text.Json.Serialization;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Certificates;
 

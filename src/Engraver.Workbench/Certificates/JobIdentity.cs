@@ -5,7 +5,7 @@ using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 

@@ -5,7 +5,7 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 

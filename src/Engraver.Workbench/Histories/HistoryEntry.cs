@@ -8,7 +8,7 @@ using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;

@@ -4,7 +4,8 @@ using Engraver.Fonts;
 
 namespace Engraver.Workbench.Lettering;
 
-/// <summary>Compares the curves of a text with <see cref="LetterPlaces"/> at points of each curve.</summary>
+/// <summary>Compares the curves of a text with <see cref="LetterPlaces"/> at points of each curve. Curves of outlines that were united with their neighbours
+/// are allowed to be arcs on these outlines.</summary>
 internal sealed class LetterCheck
 {
     /// <summary>Allowed distance as a part of the size of the text, and of its coordinates for rounding.</summary>
@@ -15,14 +16,23 @@ internal sealed class LetterCheck
 
     private readonly LetterPlaces _places;
     private readonly LetterCurves _curves;
+    private readonly double _allowed;
+    private readonly bool[] _isFound;
+    private readonly List<Func<double, Vector3D>> _united = [];
     private int _next;
     private Misplacement? _worst;
 
-    private LetterCheck(LetterPlaces places, LetterCurves curves) => (_places, _curves) = (places, curves);
+    private LetterCheck(LetterPlaces places, LetterCurves curves)
+    {
+        (_places, _curves, _isFound) = (places, curves, new bool[curves.Parts.Count]);
+        var (start, end, top) = (places.OnLine(0.0, 0.0), places.OnLine(places.Advance, 0.0), places.OnLine(0.0, places.Height));
+        _allowed = (OfSize * Math.Max((end - start).Length, (top - start).Length)) + (OfCoordinates * places.LargestTerm);
+    }
 
     /// <param name="places">The second calculation for the same text.</param>
+    /// <param name="maxError">Largest distance of the arcs of united outlines from the outlines.</param>
     /// <returns>Null if each curve is at its place and there is no other; otherwise the largest distance.</returns>
-    public static Misplacement? Find(LetterPlaces places, LetterCurves curves)
+    public static Misplacement? Find(LetterPlaces places, LetterCurves curves, double maxError)
     {
         ArgumentNullException.ThrowIfNull(places);
         ArgumentNullException.ThrowIfNull(curves);
@@ -32,16 +42,9 @@ internal sealed class LetterCheck
             foreach (var contour in letter.Curves.Contours) check.Compare(letter, contour);
         }
 
-        foreach (var (from, to, above) in places.Lines) check.Compare((part, fraction) => places.OnLine(from + (fraction * (to - from)), above));
-        if (check._next != curves.Parts.Count) check.Note(double.PositiveInfinity, places.OnLine(0.0, 0.0));
-        return check._worst is { } worst && !(worst.Distance <= check.Allowed()) ? worst : null;
-    }
-
-    private double Allowed()
-    {
-        var (start, end, top) = (_places.OnLine(0.0, 0.0), _places.OnLine(_places.Advance, 0.0), _places.OnLine(0.0, _places.Height));
-        var largest = ((Vector3D[])[start, end, top]).Max(point => Math.Max(Math.Abs(point.X), Math.Max(Math.Abs(point.Y), Math.Abs(point.Z))));
-        return (OfSize * Math.Max((end - start).Length, (top - start).Length)) + (OfCoordinates * Math.Max(largest, _places.LargestTerm));
+        foreach (var (from, to, above) in places.Lines) check.Compare((_, fraction) => places.OnLine(from + (fraction * (to - from)), above), isOutline: false);
+        check.CompareRest(maxError);
+        return check._worst;
     }
 
     private void Compare(LetterPlaces.Letter letter, GlyphContour contour)
@@ -59,7 +62,7 @@ internal sealed class LetterCheck
         var isPoint = from == piece.End && (piece.Kind is GlyphPieceKind.Line or GlyphPieceKind.Arc || (piece.Control1 == from && (piece.Kind == GlyphPieceKind.Quadratic || piece.Control2 == from)));
         if (isPoint) return;
         if (piece.Kind == GlyphPieceKind.Arc) CompareArc(letter, new GlyphArc(from, piece));
-        else Compare((_, fraction) => _places.At(letter, On(from.X, piece.Control1.X, piece.Control2.X, piece.End.X, piece.Kind, fraction), On(from.Y, piece.Control1.Y, piece.Control2.Y, piece.End.Y, piece.Kind, fraction)));
+        else Compare((_, fraction) => _places.At(letter, On(from.X, piece.Control1.X, piece.Control2.X, piece.End.X, piece.Kind, fraction), On(from.Y, piece.Control1.Y, piece.Control2.Y, piece.End.Y, piece.Kind, fraction)), letter.IsOutline);
     }
 
     /// <summary>An arc may have become an ellipse, whose parameter is not the angle: its points are brought back to the circle.</summary>
@@ -68,12 +71,14 @@ internal sealed class LetterCheck
         var (centre, x, y) = (_places.At(letter, arc.Centre.X, arc.Centre.Y), _places.At(letter, arc.Centre.X + arc.Radius, arc.Centre.Y), _places.At(letter, arc.Centre.X, arc.Centre.Y + arc.Radius));
         var (u, v) = (x - centre, y - centre);
         var (uu, uv, vv) = (u.Dot(u), u.Dot(v), v.Dot(v));
-        Compare((part, fraction) =>
-        {
-            var at = part.Kind == SegmentKind.Ellipse && fraction is > 0.0 and < 1.0 ? FractionOf(Of(part, fraction) - centre) : fraction;
-            var point = arc.PointAt(at);
-            return _places.At(letter, point.X, point.Y);
-        });
+        Compare(
+            (part, fraction) =>
+            {
+                var isEllipse = part is { Kind: SegmentKind.Ellipse } && fraction is > 0.0 and < 1.0;
+                var point = arc.PointAt(isEllipse ? FractionOf(Of(part!.Value, fraction) - centre) : fraction);
+                return _places.At(letter, point.X, point.Y);
+            },
+            letter.IsOutline);
 
         double FractionOf(Vector3D from)
         {
@@ -82,19 +87,45 @@ internal sealed class LetterCheck
         }
     }
 
-    private void Compare(Func<DrawingPart, double, Vector3D> expected)
+    /// <summary>Finds the part of a curve: the next one, or any other one if letters are in another order; that of an outline may have been united.</summary>
+    /// <param name="expected">A point of the curve by its fraction, and by the part that is compared where that has another parameter.</param>
+    private void Compare(Func<DrawingPart?, double, Vector3D> expected, bool isOutline)
     {
-        if (_next >= _curves.Parts.Count)
+        var (start, nearest) = (expected(null, 0.0), (Index: -1, Distance: double.PositiveInfinity));
+        for (var i = 0; i < _isFound.Length && nearest.Distance > _allowed; i++)
         {
-            Note(double.PositiveInfinity, expected(default, 0.0));
-            return;
+            var index = (_next + i) % _isFound.Length;
+            if (_isFound[index] || (Of(_curves.Parts[index], 0.0) - start).Length > nearest.Distance) continue;
+            var distance = Distance(_curves.Parts[index], expected);
+            if (distance < nearest.Distance) nearest = (index, distance);
         }
 
-        var part = _curves.Parts[_next++];
-        foreach (var fraction in s_fractions)
+        if (nearest.Distance <= _allowed)
         {
-            var place = expected(part, fraction);
-            Note((Of(part, fraction) - place).Length, place);
+            _isFound[nearest.Index] = true;
+            _next = nearest.Index + 1;
+        }
+        else if (isOutline)
+        {
+            _united.Add(fraction => expected(null, fraction));
+        }
+        else
+        {
+            Note(nearest.Distance, start);
+        }
+    }
+
+    private double Distance(DrawingPart part, Func<DrawingPart?, double, Vector3D> expected) => s_fractions.Max(fraction => (Of(part, fraction) - expected(part, fraction)).Length);
+
+    /// <summary>Parts that are no curve of a letter: those of united outlines are on outlines of letters.</summary>
+    private void CompareRest(double maxError)
+    {
+        var rest = Enumerable.Range(0, _isFound.Length).Where(i => !_isFound[i]).Select(i => _curves.Parts[i]).ToList();
+        if (rest.Count == 0 && _united.Count > 0) Note(double.PositiveInfinity, _united[0](0.0));
+        foreach (var point in rest.SelectMany(part => s_fractions.Select(fraction => Of(part, fraction))))
+        {
+            var distance = _united.Select(curve => CurveDistance.Of(point, curve)).DefaultIfEmpty(double.PositiveInfinity).Min();
+            if (!(distance <= maxError + _allowed)) Note(distance, point);
         }
     }
 
@@ -126,6 +157,3 @@ internal sealed class LetterCheck
         _ => ((1.0 - t) * (1.0 - t) * (1.0 - t) * a) + (3.0 * t * (1.0 - t) * (((1.0 - t) * b) + (t * c))) + (t * t * t * d),
     };
 }
-
-/// <summary>The largest distance of a letter from its place, drawing units.</summary>
-internal readonly record struct Misplacement(double Distance, Vector3D At);

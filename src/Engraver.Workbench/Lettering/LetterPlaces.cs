@@ -90,7 +90,7 @@ internal sealed class LetterPlaces
                 var scale = height / source.Font.Metrics.CapHeight;
                 var isOwn = ReferenceEquals(source, font);
                 if (isOwn && earlier is { } left) pen += width * scale * LetterRun.KerningOf(font.Font, left, character);
-                if (curves.Contours.Count > 0) letters.Add(new Letter(curves, pen, scale));
+                if (curves.Contours.Count > 0) letters.Add(new Letter(curves, pen, scale, source.Font.IsOutline));
                 pen += width * scale * curves.Advance;
                 earlier = isOwn ? character : null;
             }
@@ -132,5 +132,6 @@ internal sealed class LetterPlaces
 
     /// <param name="Pen">Of its origin, from the start of the line, drawing units before the inserts.</param>
     /// <param name="Scale">Drawing units of a font unit.</param>
-    internal sealed record Letter(GlyphCurves Curves, double Pen, double Scale);
+    /// <param name="IsOutline">Where it overlaps its neighbours it is united with them.</param>
+    internal sealed record Letter(GlyphCurves Curves, double Pen, double Scale, bool IsOutline);
 }

@@ -1,5 +1,5 @@
 using Engraver.Workbench.Histories;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output.Jobs;
 

@@ -1,6 +1,7 @@
 using Engraver.Fonts.Finding;
+using Engraver.Workbench.Lettering;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>A font of the texts of a job, as records of the job state it.</summary>
 /// <param name="Requested">As the drawing names it; "" where the drawing names none.</param>
