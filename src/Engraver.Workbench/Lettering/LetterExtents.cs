@@ -5,15 +5,14 @@ namespace Engraver.Workbench.Lettering;
 /// <summary>Lowest and highest points of shapes, from the zeros of the derivatives of their curves.</summary>
 internal static class LetterExtents
 {
-    /// <param name="scale">Of the shape, whose origin is at the height 0.</param>
-    public static (double Low, double High) Include((double Low, double High) box, GlyphCurves curves, double scale)
+    public static (double Low, double High) Include((double Low, double High) box, LetterPlaces.Letter letter)
     {
-        foreach (var contour in curves.Contours)
+        foreach (var contour in letter.Curves.Contours)
         {
             var from = contour.Start;
             foreach (var piece in contour.Pieces)
             {
-                foreach (var height in Heights(from, piece)) box = (Math.Min(box.Low, scale * height), Math.Max(box.High, scale * height));
+                foreach (var height in Heights(from, piece).Select(height => letter.Rise + (letter.Scale * height))) box = (Math.Min(box.Low, height), Math.Max(box.High, height));
                 from = piece.End;
             }
         }

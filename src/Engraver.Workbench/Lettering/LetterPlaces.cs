@@ -7,7 +7,8 @@ using Engraver.Fonts.Finding;
 namespace Engraver.Workbench.Lettering;
 
 /// <summary>A second calculation of the places of the letters of a TEXT or an attribute, point by point with sines and cosines from the groups of its record
-/// (DXF reference, "TEXT"). It shares the choice of shapes with the layout that is cut, and no formula.</summary>
+/// (DXF reference, "TEXT"). It shares the choice of shapes with the layout that is cut, and for letters that join the
+/// shaper; no formula of placing.</summary>
 internal sealed class LetterPlaces
 {
     private readonly WrittenText _written;
@@ -27,7 +28,7 @@ internal sealed class LetterPlaces
         var stretch = between is { } way ? Math.Sqrt((way.X * way.X) + (way.Y * way.Y) + (way.Z * way.Z)) / natural : 1.0;
         Advance = natural * stretch;
         Height = _written.Horizontal == 3 && between is not null ? height * stretch : height;
-        Letters = [.. Letters.Select(letter => letter with { Pen = letter.Pen * stretch, Scale = letter.Scale * Height / height })];
+        Letters = [.. Letters.Select(letter => letter with { Pen = letter.Pen * stretch, Rise = letter.Rise * Height / height, Scale = letter.Scale * Height / height })];
         Lines = [.. Lines.Select(line => (line.From * stretch, line.To * stretch, line.Above * Height / height))];
         _width = Math.Abs(_written.WidthFactor) * (Height == height ? stretch : 1.0);
         _slope = Math.Tan(Math.Clamp(Math.IEEERemainder(_written.Oblique.Degrees, 360.0), -85.0, 85.0) * Math.PI / 180.0);
@@ -56,7 +57,11 @@ internal sealed class LetterPlaces
     public static LetterPlaces Of(PlacedText text, TextStyle style, FoundFont font) => new(text, font, text.Written.Height > 0.0 ? text.Written.Height : style.FixedHeight);
 
     /// <summary>A point of a letter in the drawing.</summary>
-    public Vector3D At(Letter letter, double fontX, double fontY) => At(letter.Pen + (letter.Scale * ((_width * fontX) + (_slope * fontY))), letter.Scale * fontY);
+    public Vector3D At(Letter letter, double fontX, double fontY)
+    {
+        var above = letter.Rise + (letter.Scale * fontY);
+        return At(letter.Pen + (letter.Scale * _width * fontX) + (_slope * above), above);
+    }
 
     /// <summary>A point of a line drawn with the letters.</summary>
     public Vector3D OnLine(double along, double above) => At(along + (_slope * above), above);
@@ -85,7 +90,14 @@ internal sealed class LetterPlaces
         foreach (var run in TextCodes.Parse(_written.Raw).Runs)
         {
             var (from, earlier) = (pen, default(int?));
-            foreach (var (source, character, curves) in LetterRun.ShapesOf(run.Text, font, notes))
+            var joined = LetterRun.ShapedOf(run.Text, font, LetterFormat.Upright(height), default, notes);
+            if (joined is not null)
+            {
+                letters.AddRange(joined.Glyphs.Select(glyph => new Letter(glyph.Curves, from + (width * glyph.Map.Origin.X), glyph.Map.YAxis.Y, glyph.Font.Font.IsOutline) { Rise = glyph.Map.Origin.Y }));
+                pen += width * joined.Advance;
+            }
+
+            foreach (var (source, character, curves) in joined is null ? LetterRun.ShapesOf(run.Text, font, notes) : [])
             {
                 var scale = height / source.Font.Metrics.CapHeight;
                 var isOwn = ReferenceEquals(source, font);
@@ -109,7 +121,7 @@ internal sealed class LetterPlaces
     {
         if (_written.Horizontal == 4)
         {
-            var (low, high) = Letters.Aggregate((Low: double.MaxValue, High: double.MinValue), (box, letter) => LetterExtents.Include(box, letter.Curves, letter.Scale));
+            var (low, high) = Letters.Aggregate((Low: double.MaxValue, High: double.MinValue), (box, letter) => LetterExtents.Include(box, letter));
             return (0.5 * Advance, low > high ? 0.5 * Height : 0.5 * (low + high));
         }
 
@@ -133,5 +145,9 @@ internal sealed class LetterPlaces
     /// <param name="Pen">Of its origin, from the start of the line, drawing units before the inserts.</param>
     /// <param name="Scale">Drawing units of a font unit.</param>
     /// <param name="IsOutline">Where it overlaps its neighbours it is united with them.</param>
-    internal sealed record Letter(GlyphCurves Curves, double Pen, double Scale, bool IsOutline);
+    internal sealed record Letter(GlyphCurves Curves, double Pen, double Scale, bool IsOutline)
+    {
+        /// <summary>Of its origin above the baseline, as <see cref="Pen"/>; 0 for a letter that is not joined.</summary>
+        public double Rise { get; init; }
+    }
 }
