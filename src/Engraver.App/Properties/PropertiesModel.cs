@@ -9,7 +9,7 @@ using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Properties;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Properties;
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -37,7 +38,7 @@ public sealed record DocumentState
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
-    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="Lettering.ShownDrawing"/>), each once, in the order in which they were
+    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="ShownDrawing"/>), each once, in the order in which they were
     /// picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 

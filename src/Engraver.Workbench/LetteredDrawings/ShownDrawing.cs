@@ -1,12 +1,15 @@
 using System.Runtime.CompilerServices;
 using Engraver.Core.Drawings;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>A drawing as it is shown and picked: its visible texts as the curves that would be cut, whether they are cut or not. Entity index
 /// <c>n + k</c> is the text <c>k</c> of a drawing of <c>n</c> curves, as in the drawing of a job that cuts texts.</summary>
 public static class ShownDrawing
 {
+    /// <summary>Largest distance of united outlines from the curves of the font as they are shown.</summary>
+    private const double ShownErrorMm = 0.001;
+
     private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
 
     /// <summary>The drawing with its letters; the drawing itself if it has no text. Computed once for each drawing, which takes a while for thousands of
@@ -37,5 +40,5 @@ public static class ShownDrawing
     private static Lazy<Drawing> Create(Drawing drawing) => new(() => Lettered(drawing));
 
     private static Drawing Lettered(Drawing drawing) =>
-        LetteredDrawing.Of(drawing, text => text.IsVisibleIn(drawing), LetterLibrary.FontsOf(drawing), CancellationToken.None).Drawing;
+        LetteredDrawing.Of(drawing, text => text.IsVisibleIn(drawing), LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(ShownErrorMm), CancellationToken.None).Drawing;
 }
