@@ -167,6 +167,17 @@ public class ShxFontTests
         foreach (var code in (int[])[127, 128, 0x85, 0x100]) Assert.Null(font.GlyphOf(code));
     }
 
+    [Fact]
+    public void A_font_with_Latin_1_has_its_signs_there()
+    {
+        var font = new ShxBuilder(Shapes10).With(127, 0x10).With(128, 0x20).With(129, 0x30).With(0xB0, 0x40).With(0xB1, 0x50);
+        double[] Advances() => [.. ((int[])[0xB0, 0xB1, 0x2300]).Select(code => Font(font).GlyphOf(code)!.Advance)];
+
+        Assert.Equal([4, 5, 3], Advances());
+        font.With(0xD8, 0x60);
+        Assert.Equal([4, 5, 6], Advances());
+    }
+
     [Theory]
     [InlineData(0x2205)]
     [InlineData(0x2300)]
