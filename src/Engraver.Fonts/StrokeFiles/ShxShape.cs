@@ -39,8 +39,17 @@ internal sealed class ShxShape
         var bytes = new ShxBytes(_file.Shape(number) ?? throw new BrokenFontException($"The SHX file has no shape {number}."));
         while (Next(bytes) is var code && code != (byte)ShxCode.End)
         {
-            if (code == (byte)ShxCode.VerticalOnly) Skip(bytes, Next(bytes));
-            else Do(bytes, code, depth);
+            if (code != (byte)ShxCode.VerticalOnly)
+            {
+                Do(bytes, code, depth);
+                continue;
+            }
+
+            // AutoCAD's own fonts have shapes with the code twice, and a shape may end after it.
+            var vertical = Next(bytes);
+            while (vertical == (byte)ShxCode.VerticalOnly) vertical = Next(bytes);
+            if (vertical == (byte)ShxCode.End) return;
+            Skip(bytes, vertical);
         }
     }
 
@@ -123,8 +132,6 @@ internal sealed class ShxShape
             case ShxCode.BulgeArcs:
                 while (Pair(bytes) != (0, 0)) bytes.Take(1);
                 break;
-            case ShxCode.End or ShxCode.VerticalOnly:
-                throw new BrokenFontException("A shape of the SHX file has no code after that for vertical text.");
             default:
                 break;
         }
