@@ -29,9 +29,6 @@ public sealed record JobCertificate
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public string? Plate { get; init; }
 
-    /// <summary>The fonts of the texts that are cut as curves; empty if no text is cut, and in certificates of an earlier version.</summary>
-    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
-
     /// <summary>True: the program runs to its end and cuts the whole drawing and nothing else.</summary>
     public required bool Ok { get; init; }
 
@@ -55,6 +52,9 @@ public sealed record JobCertificate
 
     /// <summary>Findings, errors first.</summary>
     public required IReadOnlyList<CertifiedFinding> Findings { get; init; }
+
+    /// <summary>The fonts of the texts that are cut as curves; empty if no text is cut, and in certificates of an earlier version.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
 }
 
 /// <param name="File">File name without the folder.</param>

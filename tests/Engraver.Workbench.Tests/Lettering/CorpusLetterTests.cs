@@ -50,7 +50,7 @@ public class CorpusLetterTests(ITestOutputHelper output)
     public void Every_drawing_of_the_corpus_with_texts_is_planned()
     {
         var planned = 0;
-        foreach (var file in Drawings(true ? 1 : 12))
+        foreach (var file in Drawings(TestExtent.IsFull ? 1 : 12))
         {
             var drawing = DrawingFile.Open(file, s_settings, CancellationToken.None);
             if (drawing.Texts.Count == 0) continue;
