@@ -15,13 +15,15 @@ if (args is [var folder] && !folder.StartsWith('-'))
         sample.WriteTo(folder);
     }
 
+    File.WriteAllBytes(Path.Combine(folder, OutlineFontFile.FileName), OutlineFontFile.Write());
+
     return 0;
 }
 
 Console.Error.WriteLine(
     """
     usage: Engraver.Samples FOLDER
-             write every sample drawing into the folder
+             write every sample drawing, and the font of the label plate, into the folder
            Engraver.Samples --lines N FILE [--digits D] [--shuffle]
              write a benchmark drawing of N lines; D is 1 to 15 decimals (6 unless told), or 17 for exact text
     """);

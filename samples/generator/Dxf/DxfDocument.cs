@@ -4,4 +4,7 @@ namespace Engraver.Samples.Dxf;
 internal sealed record DxfDocument(DxfVersion Version, DrawingUnit Unit, IReadOnlyList<DxfLayer> Layers, IEnumerable<DxfEntity> Entities)
 {
     public IReadOnlyList<DxfBlock> Blocks { get; init; } = [];
+
+    /// <summary>Text styles besides STANDARD.</summary>
+    public IReadOnlyList<DxfTextStyle> Styles { get; init; } = [];
 }

@@ -31,11 +31,27 @@ internal sealed class EntityWriter(TagStream tags)
                 WriteInsert(insert, owner);
                 break;
             case TextEntity text:
-                Begin("TEXT", text, owner).Subclass("AcDbText").Point(10, text.At).Real(40, text.Height).Text(1, text.Text).Subclass("AcDbText");
+                WriteText(text, owner);
                 break;
             default:
                 throw new UnreachableException();
         }
+    }
+
+    private void WriteText(TextEntity text, string owner)
+    {
+        Begin("TEXT", text, owner).Subclass("AcDbText").Point(10, text.At).Real(40, text.Height).Text(1, text.Text);
+        if (text.Style is { } style)
+        {
+            tags.Text(7, style);
+        }
+
+        if (text.Centred)
+        {
+            tags.Integer(72, 1).Point(11, text.At);
+        }
+
+        tags.Subclass("AcDbText");
     }
 
     private TagStream Begin(string type, DxfEntity entity, string owner) =>

@@ -12,7 +12,7 @@ internal sealed class TableWriter(TagStream tags)
         tags.Text(0, "SECTION").Text(2, "TABLES");
         WriteTable("LTYPE", LineTypesOf(document.Version), WriteLineType);
         WriteTable("LAYER", [new DxfLayer("0", 7), .. document.Layers], WriteLayer);
-        WriteTable("STYLE", ["STANDARD"], WriteTextStyle);
+        WriteTable("STYLE", [new DxfTextStyle("STANDARD", "txt"), .. document.Styles], WriteTextStyle);
         if (!tags.IsR12)
         {
             WriteTable("VPORT", Array.Empty<string>(), static (_, _) => { });
@@ -68,9 +68,9 @@ internal sealed class TableWriter(TagStream tags)
         }
     }
 
-    private void WriteTextStyle(string name, string table) =>
-        Row("STYLE", "AcDbTextStyleTableRecord", name, table, flags: 0)
-            .Real(40, 0).Real(41, 1).Real(50, 0).Integer(71, 0).Real(42, 2.5).Text(3, "txt").Text(4, "");
+    private void WriteTextStyle(DxfTextStyle style, string table) =>
+        Row("STYLE", "AcDbTextStyleTableRecord", style.Name, table, flags: 0)
+            .Real(40, 0).Real(41, 1).Real(50, 0).Integer(71, 0).Real(42, 2.5).Text(3, style.FontFile).Text(4, "");
 
     private void WriteBlockRecord((string Name, string Handle) block, string table) =>
         tags.Begin("BLOCK_RECORD", table, block.Handle).Subclass("AcDbSymbolTableRecord").Subclass("AcDbBlockTableRecord").Text(2, block.Name);

@@ -23,4 +23,7 @@ public enum CutChoice
 
     /// <summary>The letters of TEXT, MTEXT and ATTRIB. They are read in any case; a stage of the job makes curves of them.</summary>
     Text = 32,
+
+    /// <summary>DIMENSION as its block draws it: lines, and with the other choices its arrow heads and text.</summary>
+    Dimension = 64,
 }

@@ -26,6 +26,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (!target.Accepts(_record)) return;
         if (_record.Kind == RecordKind.Insert) AddInsert(target, attributes);
         else if (DrawsCurve()) AddCurve(target);
+        else if (_record.Kind == RecordKind.Dimension && cut.HasFlag(CutChoice.Dimension)) AddDimension(target);
         else if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
         else AddOther(target);
     }
@@ -83,6 +84,15 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (_record.Warning is { } odd) target.Note(odd);
         if (insert.ZeroScaleCode is not 0 and var code) target.Note(_record.Finding(DxfRules.ZeroScale, Wording.Get("ContentReader.Group", code), refused: false));
         foreach (var text in _attributes) target.AddText(text);
+    }
+
+    /// <summary>A dimension is an insert of its own block, whose content is in its place already (DXF reference, "DIMENSION", groups 2 and 12).</summary>
+    private void AddDimension(IContentTarget target)
+    {
+        if (_record.Name < 0) _record.Required(2);
+        if (_record.Fault is { } fault) target.Refuse(_record, fault);
+        else target.AddInsert(_record, BlockInsert.OfDimension(_record), attributes: 0);
+        if (_record.Warning is { } odd) target.Note(odd);
     }
 
     private void AddOutlines(IContentTarget target)

@@ -39,9 +39,10 @@ public sealed class NotCutTests
         Assert.Contains("DRY RUN, tool off, nothing was cut; visible but NOT CUT (1 HATCH): name outlines with --cut", said.Out, StringComparison.Ordinal);
     }
 
-    /// <summary>--cut accepts no dimensions and points: no advice suggests them.</summary>
+    /// <summary>--cut accepts no tolerances and points: no advice suggests them.</summary>
     [Theory]
-    [InlineData("DIMENSION", "To cut them: explode DIMENSION into lines in the CAD program. To leave them uncut")]
+    [InlineData("DIMENSION", "To cut them: name outlines with --cut (dimension). To leave them uncut")]
+    [InlineData("TOLERANCE", "To cut them: explode TOLERANCE into lines in the CAD program. To leave them uncut")]
     [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. To leave them uncut")]
     [InlineData("MLINE", "To cut them: name outlines with --cut (mline). To leave them uncut")]
     [InlineData("TRACE", "To cut them: name outlines with --cut (solid). To leave them uncut")]

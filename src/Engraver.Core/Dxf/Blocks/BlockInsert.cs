@@ -12,6 +12,21 @@ internal readonly record struct BlockInsert
     private const int MaxCopies = short.MaxValue;
 
     public BlockInsert(EntityRecord record)
+        : this(record, Placement.Identity)
+    {
+        Columns = Math.Clamp(record.Flags(70), 1, MaxCopies);
+        Rows = Math.Clamp(record.Flags(71), 1, MaxCopies);
+        var system = SystemOf(record);
+        var rotation = Angle.FromDegrees(record.Number(50, 0.0));
+        ZeroScaleCode = record.Number(41, 1.0) == 0.0 ? 41 : record.Number(42, 1.0) == 0.0 ? 42 : 0;
+        var scale = new Vector3D(record.Number(41, 1.0), record.Number(42, 1.0), record.Number(43, 1.0));
+        Placement = system.After(Placement.FromInsert(scale, rotation).MovedBy(record.Point(10)));
+        ColumnStep = system.ApplyToDirection(new Vector3D(rotation.Cos(), rotation.Sin(), 0.0) * record.Number(44, 0.0));
+        RowStep = system.ApplyToDirection(new Vector3D(-rotation.Sin(), rotation.Cos(), 0.0) * record.Number(45, 0.0));
+    }
+
+    /// <summary>One copy of the block at a placement.</summary>
+    private BlockInsert(EntityRecord record, Placement placement)
     {
         Type = record.Type;
         Block = record.Name;
@@ -20,16 +35,7 @@ internal readonly record struct BlockInsert
         Handle = record.Handle;
         Line = record.Line;
         Invisible = record.Invisible;
-        Columns = Math.Clamp(record.Flags(70), 1, MaxCopies);
-        Rows = Math.Clamp(record.Flags(71), 1, MaxCopies);
-        var direction = record.Extrusion();
-        var system = direction == default ? Placement.Identity : Placement.FromExtrusion(direction);
-        var rotation = Angle.FromDegrees(record.Number(50, 0.0));
-        ZeroScaleCode = record.Number(41, 1.0) == 0.0 ? 41 : record.Number(42, 1.0) == 0.0 ? 42 : 0;
-        var scale = new Vector3D(record.Number(41, 1.0), record.Number(42, 1.0), record.Number(43, 1.0));
-        Placement = system.After(Placement.FromInsert(scale, rotation).MovedBy(record.Point(10)));
-        ColumnStep = system.ApplyToDirection(new Vector3D(rotation.Cos(), rotation.Sin(), 0.0) * record.Number(44, 0.0));
-        RowStep = system.ApplyToDirection(new Vector3D(-rotation.Sin(), rotation.Cos(), 0.0) * record.Number(45, 0.0));
+        (Columns, Rows, Placement) = (1, 1, placement);
     }
 
     public string Type { get; }
@@ -67,6 +73,11 @@ internal readonly record struct BlockInsert
     /// <summary>Placement of one copy of the block, with the base point subtracted.</summary>
     public Placement Copy(int column, int row, Vector3D basePoint) =>
         Placement.MovedBy((ColumnStep * column) + (RowStep * row) - Placement.ApplyToDirection(basePoint));
+
+    /// <summary>The block of a dimension, moved by group 12.</summary>
+    public static BlockInsert OfDimension(EntityRecord record) => new(record, Placement.Identity.MovedBy(SystemOf(record).ApplyToDirection(record.PointOrOrigin(12))));
+
+    private static Placement SystemOf(EntityRecord record) => record.Extrusion() is var direction && direction == default ? Placement.Identity : Placement.FromExtrusion(direction);
 
     public RecordIssue Finding(Diagnostics.DiagnosticRule rule, string block) => new(rule, Type, Handle, Line, block, Refused: true);
 }

@@ -19,7 +19,7 @@ internal enum RecordKind : byte
     Point,
     Text,
 
-    /// <summary>Drawn as information, not cut: dimensions, hatches, images, solids.</summary>
+    /// <summary>Drawn as information, not cut: images, tables, solids in space.</summary>
     Construction,
     Hatch,
     MultiLine,
@@ -28,6 +28,9 @@ internal enum RecordKind : byte
 
     /// <summary>SOLID, TRACE, 3DFACE.</summary>
     Face,
+
+    /// <summary>A dimension, which is drawn by its own block.</summary>
+    Dimension,
 
     /// <summary>ATTDEF: a template, except for a constant one, which is a text of every copy of its block.</summary>
     AttributeDefinition,

@@ -9,7 +9,7 @@ internal static class RecordKinds
 {
     private static readonly string[] Construction =
     [
-        "MPOLYGON", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "MLEADER", "MULTILEADER", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
+        "MPOLYGON", "MLEADER", "MULTILEADER", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
         "VIEWPORT", "RAY", "XLINE", "ACAD_TABLE", "TABLE", "IMAGE", "WIPEOUT", "TOLERANCE", "SHAPE", "LIGHT", "OLEFRAME", "OLE2FRAME",
         "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
     ];
@@ -55,7 +55,7 @@ internal static class RecordKinds
     };
 
     /// <summary>True for construction that the operator may choose to cut (<see cref="CutChoice"/>).</summary>
-    public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;
+    public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face or RecordKind.Dimension;
 
     /// <summary>The choice that an outline belongs to; None for every other kind.</summary>
     public static CutChoice ChoiceOf(RecordKind kind) => kind switch
@@ -65,6 +65,7 @@ internal static class RecordKinds
         RecordKind.Leader => CutChoice.Leader,
         RecordKind.Helix => CutChoice.Helix,
         RecordKind.Face => CutChoice.Solid,
+        RecordKind.Dimension => CutChoice.Dimension,
         _ => CutChoice.None,
     };
 
@@ -101,6 +102,9 @@ internal static class RecordKinds
             ["SOLID"] = RecordKind.Face,
             ["TRACE"] = RecordKind.Face,
             ["3DFACE"] = RecordKind.Face,
+            ["DIMENSION"] = RecordKind.Dimension,
+            ["ARC_DIMENSION"] = RecordKind.Dimension,
+            ["LARGE_RADIAL_DIMENSION"] = RecordKind.Dimension,
             ["LAYER"] = RecordKind.LayerEntry,
             ["STYLE"] = RecordKind.StyleEntry,
             ["LTYPE"] = RecordKind.LinetypeEntry,

@@ -199,7 +199,7 @@ internal sealed class RecordReader
                 record.Count(8);
                 record.Layer = Layers.IdOf(_tags.Value);
                 break;
-            case 2 when record.Kind is RecordKind.Insert or RecordKind.Block:
+            case 2 when record.Kind is RecordKind.Insert or RecordKind.Block || (record.Kind is RecordKind.Dimension && _cut.HasFlag(CutChoice.Dimension)):
                 record.Count(2);
                 record.Name = Blocks.IdOf(_tags.Value);
                 break;
