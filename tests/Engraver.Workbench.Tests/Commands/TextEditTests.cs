@@ -49,7 +49,7 @@ public class TextEditTests
     public async Task A_mirrored_drawing_has_mirrored_texts()
     {
         await using var talk = await OpenAsync();
-        await talk.TypeAsync("MIRROR", "ALL", "", "0,0", "0,1", "Yes");
+        await talk.TypeAsync("MIRRTEXT", "1", "MIRROR", "ALL", "", "0,0", "0,1", "Yes");
 
         Assert.Equal((-2.0, 1.0, 3.0), Place(talk, 0));
         Assert.Equal((-1.0, 1.0), (talk.State.Drawing!.Texts[0].Inserts.XAxis.X, talk.State.Drawing.Texts[0].Inserts.YAxis.Y));
