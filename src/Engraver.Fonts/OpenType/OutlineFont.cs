@@ -28,7 +28,7 @@ public sealed class OutlineFont : ITextFont
         var names = FontNames.Read(file.Table("name"));
         Name = names.Full;
         FamilyName = names.Family;
-        var style = FontStyle.Read(file);
+        var style = FaceStyle.Read(file);
         (Weight, IsItalic) = (style.Weight, style.IsItalic);
         Metrics = MetricsOf(file);
     }

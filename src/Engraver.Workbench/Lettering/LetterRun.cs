@@ -1,4 +1,6 @@
+using System.Collections.Concurrent;
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using System.Text;
 using Engraver.Core.Geometry;
 using Engraver.Fonts;
@@ -13,6 +15,9 @@ public static class LetterRun
     private const double BoxWidth = 0.6;
     private const double BoxAdvance = 0.8;
     private const double BlankAdvance = 0.6;
+
+    /// <summary>The shapes that were read.</summary>
+    private static readonly ConditionalWeakTable<ITextFont, ConcurrentDictionary<int, GlyphCurves?>> s_shapes = [];
 
     /// <summary>Slants beyond this are not in the range of the field (DXF reference, "TEXT", group 51).</summary>
     private const double LargestSlant = 85.0;
@@ -90,7 +95,7 @@ public static class LetterRun
     {
         try
         {
-            return font.GlyphOf(codePoint);
+            return s_shapes.GetOrCreateValue(font).GetOrAdd(codePoint, font.GlyphOf);
         }
         catch (BrokenFontException)
         {

@@ -1,4 +1,4 @@
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Stages;
 
