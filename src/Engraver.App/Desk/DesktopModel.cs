@@ -2,7 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Views;
 

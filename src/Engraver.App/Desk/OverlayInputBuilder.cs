@@ -3,7 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;

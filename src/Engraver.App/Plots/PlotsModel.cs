@@ -8,7 +8,7 @@ using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Plots;
 using Engraver.Workbench.Settings;
 

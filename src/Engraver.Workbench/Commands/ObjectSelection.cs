@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Settings;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands;
 

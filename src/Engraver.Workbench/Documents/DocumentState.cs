@@ -46,7 +46,7 @@ public sealed record DocumentState
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
-    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="Lettering.ShownDrawing"/>), each once, in the order in which they were
+    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="LetteredDrawings.ShownDrawing"/>), each once, in the order in which they were
     /// picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 

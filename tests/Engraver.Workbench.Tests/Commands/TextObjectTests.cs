@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -210,11 +210,11 @@ public class TextObjectTests
     public async Task SAVEAS_writes_texts_with_their_styles(params string[] edit)
     {
         await using var talk = await OpenAsync();
-        await talk.TypeAsync(["STYLE", "Slanted", "engraver", "0", "1.5", "10", "No", "No", "TEXT", "J", "MR", "50,30", "4", "25", "new %%d text", "", "TEXT", "J", "Fit", "0,60", "50,70", "4", "fitted", "", .. edit, "SAVEAS", "out.dxf"]);
+        await talk.TypeAsync(["STYLE", "Slanted", "engraver", "0", "1.5", "10", "No", "No", "TEXT", "J", "MR", "50,30", "4", "25", "new %%d text", "", "TEXT", "J", "Fit", "0,60", "50,70", "4", "fitted", "", "MTEXT", "80,50", "H", "4", "J", "MC", "110,20", "several words wrap", "", .. edit, "SAVEAS", "out.dxf"]);
         var before = Letters(talk.State.Drawing!);
         await talk.TypeAsync("OPEN", "out.dxf");
 
-        Assert.Equal(["LH", "RST", "new ° text", "fitted"], talk.State.Drawing!.Texts.Select(text => text.Content));
+        Assert.Equal(["LH", "RST", "new ° text", "fitted", "several words wrap"], talk.State.Drawing!.Texts.Select(text => text.Content));
         Assert.Equal(before, Letters(talk.State.Drawing!));
     }
 

@@ -1,7 +1,7 @@
 using Engraver.App.Canvas.Colours;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Canvas.Scenes;
 

@@ -1,6 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Properties;
 

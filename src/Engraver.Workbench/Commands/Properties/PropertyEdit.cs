@@ -5,7 +5,7 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Commands.Texts;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 using Engraver.Fonts.Finding;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Files;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Texts;
 

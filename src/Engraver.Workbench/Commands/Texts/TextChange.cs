@@ -1,7 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Text;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Texts;
 

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.TextMarkup;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Texts;
 
