@@ -4,8 +4,8 @@ using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>What happens to the texts and points of a drawing when objects are edited. Selected texts are edited. Points cannot be selected, nor can texts without
-/// letters: they move with an edit of everything else that is visible, and otherwise do not move.</summary>
+/// <summary>What happens to the texts and points of a drawing when objects are edited. Selected texts are edited. Points cannot be selected, nor can texts
+/// without letters: they move with an edit of everything else that is visible, and otherwise do not move.</summary>
 internal sealed class EditedAnnotations
 {
     private readonly Drawing _drawing;
@@ -26,8 +26,8 @@ internal sealed class EditedAnnotations
     /// <summary>Number of points that do not move.</summary>
     public int UnmovedPoints => _drawing.Points.Count - _points;
 
-    /// <summary>Selects the texts and points that move with an edit of these objects: the selected texts; the visible ones if all that is visible is edited; all
-    /// if everything is edited.</summary>
+    /// <summary>Selects the texts and points that move with an edit of these objects: the selected texts; the visible ones if all that is visible is edited;
+    /// all if everything is edited.</summary>
     /// <param name="drawing">The drawing before the edit.</param>
     /// <param name="selected">Indices of objects.</param>
     /// <param name="takesLocked">Also those on locked layers: they are only copied, or the whole drawing is edited.</param>

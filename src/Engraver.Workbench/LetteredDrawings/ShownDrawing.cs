@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using Engraver.Core.Drawings;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.LetteredDrawings;
 
@@ -8,10 +7,10 @@ namespace Engraver.Workbench.LetteredDrawings;
 /// <c>n + k</c> is the text <c>k</c> of a drawing of <c>n</c> curves, as in the drawing of a job that cuts texts.</summary>
 public static class ShownDrawing
 {
-    private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
+    /// <summary>Largest distance of the arcs of united outlines from the curves of the font, millimetres.</summary>
+    private const double MaxErrorMm = 0.00025;
 
-    /// <summary>Largest distance of the arcs of united outlines from the curves of the font: that of a job with the initial settings.</summary>
-    private static readonly double s_maxErrorMm = 0.25 * new DrawingSettings().MaxErrorMm;
+    private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
 
     /// <summary>The drawing with its letters; the drawing itself if it has no text. Computed once for each drawing, which takes a while for thousands of
     /// texts.</summary>
@@ -40,5 +39,5 @@ public static class ShownDrawing
     private static Lazy<Drawing> Create(Drawing drawing) => new(() => Lettered(drawing, text => text.IsVisibleIn(drawing)));
 
     private static Drawing Lettered(Drawing drawing, Predicate<PlacedText> isTaken) =>
-        LetteredDrawing.Of(drawing, isTaken, LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(s_maxErrorMm), CancellationToken.None).Drawing;
+        LetteredDrawing.Of(drawing, isTaken, LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(MaxErrorMm), CancellationToken.None).Drawing;
 }

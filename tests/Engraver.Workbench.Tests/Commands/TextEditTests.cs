@@ -2,8 +2,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Texts are edited when they are selected. Points cannot be selected; they move with an edit of everything else that is visible, and otherwise do not,
-/// which is reported.</summary>
+/// <summary>Texts are edited when they are selected. Points cannot be selected; they move with an edit of everything else that is visible, and otherwise do
+/// not, which is reported.</summary>
 public class TextEditTests
 {
     /// <summary>Two lines (the second on a separate layer), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>

@@ -38,7 +38,8 @@ internal static class TextChange
 
     public static PlacedText WithStyle(PlacedText text, TextStyle style) => TextSummary.Derived(text with { Style = style.Name, Font = style.FontFile });
 
-    /// <summary>With another justification. The reference point stays where it is, so that the letters move, except for Align and Fit, which keep the line.</summary>
+    /// <summary>With another justification. The reference point stays where it is, so that the letters move, except for Align and Fit, which keep the
+    /// line.</summary>
     public static PlacedText WithJustification(Drawing drawing, PlacedText text, TextJustification to)
     {
         var written = text.Written;

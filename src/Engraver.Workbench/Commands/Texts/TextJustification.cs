@@ -11,15 +11,15 @@ internal sealed record TextJustification(string Name, int Horizontal, int Vertic
 {
     public static TextJustification Left { get; } = new("Left", 0, 0);
 
+    /// <summary>Those of an MTEXT, in the order of its group 71: top, middle and bottom with left, centre and right.</summary>
+    public static IReadOnlyList<TextJustification> Corners { get; } = [.. from row in "TMB" from column in "LCR" select new TextJustification($"{row}{column}", "LCR".IndexOf(column, StringComparison.Ordinal), 3 - "TMB".IndexOf(row, StringComparison.Ordinal))];
+
     /// <summary>In AutoCAD's order.</summary>
     public static IReadOnlyList<TextJustification> All { get; } =
     [
         Left, new("Center", 1, 0), new("Right", 2, 0), new("Align", 3, 0), new("Middle", 4, 0), new("Fit", 5, 0),
-        new("TL", 0, 3), new("TC", 1, 3), new("TR", 2, 3), new("ML", 0, 2), new("MC", 1, 2), new("MR", 2, 2), new("BL", 0, 1), new("BC", 1, 1), new("BR", 2, 1),
+        .. Corners,
     ];
-
-    /// <summary>Those of an MTEXT, in the order of its group 71.</summary>
-    public static IReadOnlyList<TextJustification> Corners { get; } = [.. from row in (int[])[3, 2, 1] from column in (int[])[0, 1, 2] select All.First(one => one.Name.Length == 2 && (one.Horizontal, one.Vertical) == (column, row))];
 
     /// <summary>Between two points, which give the direction.</summary>
     public bool IsBetween => Horizontal is 3 or 5;
