@@ -29,6 +29,8 @@ public static class LetteringRules
 
     public static readonly DiagnosticRule SubstitutesUnreadable = new("TXT0013", Severity.Warning, "file", "line");
 
+    public static readonly DiagnosticRule NotUnited = new("TXT0014", Severity.Warning, "text");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [FontMissing, FontMapped, FontBroken, GlyphSubstituted, GlyphMissing, GlyphBroken, UnknownCode, FormIgnored, Unshaped, NoSize, OutOfRange, Tilted, SubstitutesUnreadable];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [FontMissing, FontMapped, FontBroken, GlyphSubstituted, GlyphMissing, GlyphBroken, UnknownCode, FormIgnored, Unshaped, NoSize, OutOfRange, Tilted, SubstitutesUnreadable, NotUnited];
 }

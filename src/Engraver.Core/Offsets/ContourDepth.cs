@@ -54,7 +54,7 @@ internal static class ContourDepth
     }
 
     /// <summary>Two pieces that cover each other from end to end meet only at their joints and enclose no area.</summary>
-    private static bool IsThereAndBack(SourceChain chain, double tolerance) =>
+    public static bool IsThereAndBack(SourceChain chain, double tolerance) =>
         chain.Pieces.Length == 2 && chain.Pieces[0].At(0.5).IsNear(chain.Pieces[1].At(0.5), tolerance);
 
     private static int[] Successors(IReadOnlyList<SourceChain> closed, int count)

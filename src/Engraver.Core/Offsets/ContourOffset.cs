@@ -12,13 +12,8 @@ namespace Engraver.Core.Offsets;
 /// </remarks>
 public static class ContourOffset
 {
-    /// <summary>Length that counts as zero, millimetres, and the share that the size of the coordinates adds to it (rounding).</summary>
+    /// <summary>Length that counts as zero, millimetres; rounding is added to it.</summary>
     private const double MinTolerance = 1e-10;
-
-    private const double SizeTolerance = 1e-14;
-
-    /// <summary>The share that the largest radius adds: the rounding of a distance from its centre.</summary>
-    private const double RadiusTolerance = 3e-16;
 
     /// <summary>Distance from the origin, in sizes of the drawing, beyond which it is computed relative to its centre.</summary>
     private const double OutsideDistance = 100.0;
@@ -34,7 +29,7 @@ public static class ContourOffset
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(distance);
         var (origin, extent) = Place(contours);
-        var tolerance = MinTolerance + (SizeTolerance * (extent + distance)) + (RadiusTolerance * LargestRadius(contours));
+        var tolerance = MinTolerance + PieceRounding.Of(extent + distance, contours.SelectMany(contour => contour.Segments));
         List<SourceChain> chains = [.. contours.Select((contour, number) => SourceChain.From(contour, number, options, tolerance)?.Moved(-origin)).OfType<SourceChain>()];
         var work = new OffsetWork(origin, distance, options, tolerance);
         List<SourceChain> closed = [.. chains.Where(chain => chain.Closed)];
@@ -60,20 +55,6 @@ public static class ContourOffset
         if (box.IsEmpty) return (default, 0.0);
         var (size, middle) = (box.Width + box.Height, new Vector2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0));
         return middle.Length > OutsideDistance * size ? (middle, size) : (default, middle.Length + size);
-    }
-
-    private static double LargestRadius(IReadOnlyList<OffsetContour> contours)
-    {
-        var largest = 0.0;
-        foreach (var contour in contours)
-        {
-            foreach (var segment in contour.Segments)
-            {
-                if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle) largest = Math.Max(largest, PathPiece.FromSegment(segment).Radius);
-            }
-        }
-
-        return largest;
     }
 
     /// <summary>The loops found so far.</summary>
@@ -124,8 +105,8 @@ public static class ContourOffset
             var pass = Run(tree, [.. closed.SelectMany(chain => (RawChain[])[RawChain.LeftOf(chain), RawChain.RightOf(chain)])]);
             foreach (var loop in pass.Loops)
             {
-                var longest = loop.MaxBy(pass.Graph.LengthOf);
-                if (material.Contains(pass.Graph.PointOn(longest, 0.5)) == inside) AddClosed(pass.Graph, loop, reversed: !inside && !clockwise);
+                var longest = loop.MaxBy(pass.Graph.Pieces.LengthOf);
+                if (material.Contains(pass.Graph.Pieces.PointOn(longest, 0.5)) == inside) AddClosed(pass.Graph, loop, reversed: !inside && !clockwise);
             }
         }
 
@@ -163,7 +144,7 @@ public static class ContourOffset
         private void AddClosed(RawGraph graph, List<int> loop, bool reversed)
         {
             var closed = LoopBuilder.Closed(graph, loop, origin);
-            if (Math.Abs(closed.SignedArea) > SliverTolerances * graph.Tolerance * closed.Length) Add(closed, reversed);
+            if (Math.Abs(closed.SignedArea) > SliverTolerances * graph.Pieces.Tolerance * closed.Length) Add(closed, reversed);
         }
 
         private void Add(OffsetLoop loop, bool reversed) =>

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Offsets.Graphs;
 using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
@@ -13,7 +14,7 @@ internal sealed class OffsetPass
     /// <summary>Coarser tolerances for a drawing that almost coincides with itself, as multiples.</summary>
     private static readonly double[] Coarser = [1.0, 30.0, 1_000.0];
 
-    private OffsetPass(RawGraph graph, FreeBoundary boundary) => (Graph, Loops, Unresolved) = (graph, boundary.Loops(), [.. boundary.Unbalanced.Select(graph.PlaceOf)]);
+    private OffsetPass(RawGraph graph, GraphLoops boundary) => (Graph, Loops, Unresolved) = (graph, boundary.Loops(), [.. boundary.Unbalanced.Select(graph.Pieces.PlaceOf)]);
 
     public RawGraph Graph { get; }
 
@@ -49,6 +50,6 @@ internal sealed class OffsetPass
         var raw = new RawOffset(distance, options, tolerance);
         foreach (var chain in chains) raw.Add(chain);
         var graph = RawGraph.From(raw, options.Join == OffsetJoin.Bevel ? null : source);
-        return new OffsetPass(graph, new FreeBoundary(graph, new OffsetReach(source, chains, distance, options, tolerance)));
+        return new OffsetPass(graph, new FreeBoundary(graph, new OffsetReach(source, chains, distance, options, tolerance)).Loops());
     }
 }

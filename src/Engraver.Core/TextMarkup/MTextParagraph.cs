@@ -1,4 +1,5 @@
 namespace Engraver.Core.TextMarkup;
 
 /// <summary>The pieces up to the next \P.</summary>
-public sealed record MTextParagraph(ParagraphFormat Format, IReadOnlyList<MTextPiece> Pieces);
+/// <param name="End">The format at its end: that of the letters which a paragraph without pieces would have.</param>
+public sealed record MTextParagraph(ParagraphFormat Format, IReadOnlyList<MTextPiece> Pieces, MTextFormat End);

@@ -343,7 +343,7 @@ public sealed class MTextParser
     private void EndParagraph()
     {
         EndRun();
-        _paragraphs.Add(new MTextParagraph(_paragraph, [.. _pieces]));
+        _paragraphs.Add(new MTextParagraph(_paragraph, [.. _pieces], _format));
         _pieces.Clear();
         _paragraph = _inherited;
     }

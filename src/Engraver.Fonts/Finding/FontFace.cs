@@ -3,7 +3,7 @@ using Engraver.Fonts.OpenType;
 namespace Engraver.Fonts.Finding;
 
 /// <summary>One face of an outline font file, by its tables of names and style alone.</summary>
-internal sealed record FontFace(string Path, int Index, FontNames Names, FontStyle Style)
+internal sealed record FontFace(string Path, int Index, FontNames Names, FaceStyle Style)
 {
     /// <summary>The faces of a file; none if it cannot be read. A face without names is left out.</summary>
     public static IReadOnlyList<FontFace> In(string path)
@@ -16,7 +16,7 @@ internal sealed record FontFace(string Path, int Index, FontNames Names, FontSty
             for (var i = 0; i < count; i++)
             {
                 var file = new FontFile(source, i);
-                faces.Add(new FontFace(path, i, FontNames.Read(file.Table("name")), FontStyle.Read(file)));
+                faces.Add(new FontFace(path, i, FontNames.Read(file.Table("name")), FaceStyle.Read(file)));
             }
         }
         catch (BrokenFontException)

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Security.Cryptography;
 using Engraver.Fonts.OpenType;
+using Engraver.Fonts.StrokeFiles;
 
 namespace Engraver.Fonts.Finding;
 
@@ -30,8 +31,15 @@ internal sealed class FontFiles
         }
     }
 
-    private static ITextFont FontOf(string path, ReadOnlyMemory<byte> bytes, int face) => Path.GetExtension(path).ToUpperInvariant() switch
+    private static ITextFont FontOf(string path, ReadOnlyMemory<byte> bytes, int face)
     {
-        _ => new OutlineFont(new MemoryFontSource(bytes), face),
-    };
+        var name = Path.GetFileNameWithoutExtension(path);
+        return Path.GetExtension(path).ToUpperInvariant() switch
+        {
+            ".SHX" => ShxFont.Read(bytes, name),
+            ".LFF" => LffFont.Read(bytes, name),
+            ".JHF" => JhfFont.Read(bytes, name),
+            _ => new OutlineFont(new MemoryFontSource(bytes), face),
+        };
+    }
 }

@@ -1,15 +1,13 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Fonts;
 
 namespace Engraver.Workbench.Lettering;
 
-/// <summary>The curves of a layout in the drawing: lines, arcs where the map keeps them circular, ellipses and splines otherwise; exact.</summary>
+/// <summary>The curves of a layout in the drawing. Outlines of an outline font that overlap are united; everything else is exact.</summary>
 public sealed class LetterCurves
 {
     private readonly List<DrawingPart> _parts = [];
     private readonly List<RationalCurve> _curves = [];
-    private readonly List<RationalCurve> _own = [];
 
     /// <summary>Ellipses and splines refer to <see cref="Curves"/>.</summary>
     public IReadOnlyList<DrawingPart> Parts => _parts;
@@ -22,74 +20,38 @@ public sealed class LetterCurves
     /// <summary>True if the plane of the letters is not level: their plan view is cut.</summary>
     public bool IsTilted { get; private set; }
 
-    public static LetterCurves Of(TextLayout layout)
+    /// <summary>False if outlines that overlap could not be united: they are as the font has them.</summary>
+    public bool IsUnited { get; private set; } = true;
+
+    /// <param name="maxError">Largest distance of the arcs of united outlines from the curves of the font, drawing units. Outlines that do not overlap remain
+    /// curves.</param>
+    public static LetterCurves Of(TextLayout layout, double maxError)
     {
         ArgumentNullException.ThrowIfNull(layout);
         var curves = new LetterCurves();
+        var outlines = new OutlineUnion(layout.Plane, maxError);
         foreach (var glyph in layout.Glyphs)
         {
             var map = layout.Plane.After(glyph.Map);
-            foreach (var contour in glyph.Curves.Contours) curves.Add(contour, map);
+            List<LetterContour> contours = [.. glyph.Curves.Contours.Select(contour => LetterContour.Of(contour, map))];
+            if (glyph.Font.Font.IsOutline && outlines.IsLevel && contours.TrueForAll(contour => contour.IsInRange)) outlines.Add(glyph.Curves, contours);
+            else contours.ForEach(curves.Add);
         }
 
-        foreach (var rule in layout.Rules) curves.Place(DrawingPart.Line(0, rule.From.X, rule.From.Y, 0.0, rule.To.X, rule.To.Y, 0.0), layout.Plane);
+        foreach (var contour in outlines.Unite()) curves.Add(contour);
+        foreach (var rule in layout.Rules) curves.Add(LetterContour.Of(rule, layout.Plane));
+        curves.IsUnited = outlines.IsComplete;
         return curves;
     }
 
     /// <summary>The box of a glyph in the plane of its layout.</summary>
-    internal static Bounds2D BoundsOf(GlyphPlace glyph)
-    {
-        var curves = new LetterCurves();
-        foreach (var contour in glyph.Curves.Contours) curves.Add(contour, glyph.Map);
-        return curves._parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.IsFreeCurve ? curves._curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
-    }
+    internal static Bounds2D BoundsOf(GlyphPlace glyph) => glyph.Curves.Contours.Aggregate(Bounds2D.Empty, (box, contour) => box.Union(LetterContour.Of(contour, glyph.Map).Bounds));
 
-    private void Add(GlyphContour contour, in Placement map)
+    private void Add(LetterContour contour)
     {
-        var from = contour.Start;
-        foreach (var piece in contour.Pieces)
-        {
-            Add(from, piece, map);
-            from = piece.End;
-        }
-    }
-
-    private void Add(FontPoint from, GlyphPiece piece, in Placement map)
-    {
-        var (start, end) = (new Point2D(from.X, from.Y), new Point2D(piece.End.X, piece.End.Y));
-        switch (piece.Kind)
-        {
-            case GlyphPieceKind.Line:
-                if (start != end) Place(DrawingPart.Line(0, start.X, start.Y, 0.0, end.X, end.Y, 0.0), map);
-                break;
-            case GlyphPieceKind.Arc:
-                if (start != end) Place(DrawingPart.Arc(0, ArcSegment.FromBulge(start, end, piece.Bulge), 0.0), map);
-                break;
-            case GlyphPieceKind.Quadratic:
-                Place(map, from, piece.Control1, piece.End);
-                break;
-            default:
-                Place(map, from, piece.Control1, piece.Control2, piece.End);
-                break;
-        }
-    }
-
-    private void Place(in Placement map, params ReadOnlySpan<FontPoint> controls)
-    {
-        var points = new double[controls.Length * BezierSpan.Stride];
-        for (var i = 0; i < controls.Length; i++) (points[i * BezierSpan.Stride], points[(i * BezierSpan.Stride) + 1], points[(i * BezierSpan.Stride) + 3]) = (controls[i].X, controls[i].Y, 1.0);
-        var span = new BezierSpan(points);
-        if (span.IsPoint) return;
-        _own.Clear();
-        _own.Add(new RationalCurve(SegmentKind.Spline, [span]));
-        Place(DrawingPart.FreeCurve(0, SegmentKind.Spline, 0), map);
-    }
-
-    private void Place(in DrawingPart part, in Placement map)
-    {
-        var outcome = PlacedPart.Try(part, _own, map, _curves, out var placed);
-        IsTilted |= outcome == PlacementOutcome.Tilted;
-        IsInRange &= outcome != PlacementOutcome.OutOfRange;
-        if (outcome != PlacementOutcome.OutOfRange) _parts.Add(placed);
+        foreach (var part in contour.Parts) _parts.Add(part.IsFreeCurve ? DrawingPart.FreeCurve(part.Entity, part.Kind, part.CurveIndex + _curves.Count) : part);
+        _curves.AddRange(contour.Curves);
+        IsTilted |= contour.IsTilted;
+        IsInRange &= contour.IsInRange;
     }
 }

@@ -1,8 +1,11 @@
+using System.Collections.Concurrent;
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using System.Text;
 using Engraver.Core.Geometry;
 using Engraver.Fonts;
 using Engraver.Fonts.Finding;
+using Engraver.Shaping;
 
 namespace Engraver.Workbench.Lettering;
 
@@ -13,6 +16,9 @@ public static class LetterRun
     private const double BoxWidth = 0.6;
     private const double BoxAdvance = 0.8;
     private const double BlankAdvance = 0.6;
+
+    /// <summary>The shapes that were read.</summary>
+    private static readonly ConditionalWeakTable<ITextFont, ConcurrentDictionary<int, GlyphCurves?>> s_shapes = [];
 
     /// <summary>Slants beyond this are not in the range of the field (DXF reference, "TEXT", group 51).</summary>
     private const double LargestSlant = 85.0;
@@ -25,11 +31,12 @@ public static class LetterRun
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(font);
         ArgumentNullException.ThrowIfNull(notes);
+        if (ShapedRun.TrySet(text, font, format, origin, notes, codePoint => GlyphOf(codePoint, font, notes)) is { } shaped) return shaped;
         var (glyphs, x, left) = (new List<GlyphPlace>(), origin.X, default(int?));
         foreach (var rune in Composed(text).EnumerateRunes())
         {
             if (IsWithoutShape(rune)) continue;
-            if (NeedsShaping(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
+            if (ComplexLine.IsComplex(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
             var (from, codePoint, curves) = GlyphOf(rune.Value, font, notes);
             var scale = format.Height / from.Font.Metrics.CapHeight;
             if (left is { } before && ReferenceEquals(from, font)) x += KerningOf(font.Font, before, codePoint) * scale * format.WidthFactor;
@@ -44,7 +51,8 @@ public static class LetterRun
     /// <summary>The map of a point of the plane that is slanted with the letters of a run: for lines drawn with them.</summary>
     internal static double SlantAt(LetterFormat format, double above) => above * SlopeOf(format.Oblique);
 
-    private static Placement MapOf(LetterFormat format, double scale, double x, double y) => new(
+    /// <summary>From font units to the plane, for a glyph whose origin is at a place.</summary>
+    internal static Placement MapOf(LetterFormat format, double scale, double x, double y) => new(
         new Vector3D(scale * format.WidthFactor, 0.0, 0.0),
         new Vector3D(scale * SlopeOf(format.Oblique), scale, 0.0),
         new Vector3D(0.0, 0.0, scale),
@@ -90,7 +98,7 @@ public static class LetterRun
     {
         try
         {
-            return font.GlyphOf(codePoint);
+            return s_shapes.GetOrCreateValue(font).GetOrAdd(codePoint, font.GlyphOf);
         }
         catch (BrokenFontException)
         {
@@ -118,11 +126,8 @@ public static class LetterRun
         return new GlyphCurves(BoxAdvance * height, [new GlyphContour(default, sides, IsClosed: true)]);
     }
 
-    private static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
+    internal static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
 
     /// <summary>Controls of layout, which no font draws: joiners, marks of direction, soft hyphens, variation selectors.</summary>
     private static bool IsWithoutShape(Rune rune) => Rune.GetUnicodeCategory(rune) is UnicodeCategory.Format or UnicodeCategory.Control ? rune.Value != '\t' : rune.Value is >= 0xFE00 and <= 0xFE0F;
-
-    /// <summary>Arabic and its neighbours, the scripts of India and of South East Asia that combine their letters.</summary>
-    private static bool NeedsShaping(Rune rune) => rune.Value is >= 0x0590 and <= 0x08FF or >= 0x0900 and <= 0x0DFF or >= 0x0F00 and <= 0x109F or >= 0x1780 and <= 0x17FF;
 }

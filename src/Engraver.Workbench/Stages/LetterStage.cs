@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
@@ -9,7 +9,10 @@ namespace Engraver.Workbench.Stages;
 /// <summary>Fills the fields in the texts on the selected layers and makes curves of these texts, if the settings request it.</summary>
 internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 2)
 {
-    public override IReadOnlyList<Setting> Settings => [SettingTable.Cut, SettingTable.Layers, SettingTable.SkippedLayers];
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Cut, SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.MaxError];
+
+    /// <summary>Part of the maximum error for the arcs of outlines that are united; the rest is for the path.</summary>
+    private const double ErrorShare = 0.25;
 
     public override bool StartsStep => false;
 
@@ -28,7 +31,7 @@ internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", 
         if (!job.Settings.Cut.HasFlag(CutChoice.Text) || job.Drawing.Texts.Count == 0) return new LetteredJob(job, LetteredDrawing.None(job.Drawing));
         var taken = StageOptions.SelectionOf(job.Settings).Taken(job.Drawing.Layers);
         var fields = FieldsOf(job.Drawing, job.Settings).Check(job.Values).ToLookup(finding => finding.Severity == Severity.Error);
-        var letters = LetteredDrawing.Of(Filled(job.Drawing, job.Values), text => IsTaken(text, taken), LetterLibrary.FontsOf(job.Drawing), cancellation);
+        var letters = LetteredDrawing.Of(Filled(job.Drawing, job.Values), text => IsTaken(text, taken), LetterLibrary.FontsOf(job.Drawing), job.Drawing.Scale.ToDrawing(ErrorShare * job.Settings.MaxErrorMm), cancellation);
         return new LetteredJob(job with { Drawing = letters.Drawing, Findings = [.. job.Findings, .. letters.Findings, .. fields[false]] }, letters) { FieldFaults = [.. fields[true]] };
     }
 

@@ -1,5 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Stages;
 

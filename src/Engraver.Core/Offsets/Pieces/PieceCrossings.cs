@@ -7,7 +7,7 @@ namespace Engraver.Core.Offsets.Pieces;
 internal static class PieceCrossings
 {
     /// <summary>Maximum number of points that two pieces can give.</summary>
-    public const int MaxCount = 4;
+    public const int MaxCount = 6;
 
     /// <param name="first">One piece.</param>
     /// <param name="second">The other.</param>
@@ -17,11 +17,34 @@ internal static class PieceCrossings
     public static int Between(in PathPiece first, in PathPiece second, double tolerance, Span<Crossing> found)
     {
         var into = new CommonPoints(first, second, tolerance, found);
+        AddCrossings(ref into);
+        return into.Count;
+    }
+
+    /// <summary>The same, and the ends of either piece that touch the other: where an end is in a tangent point, two pieces meet without crossing.</summary>
+    /// <param name="first">One piece.</param>
+    /// <param name="second">The other.</param>
+    /// <param name="tolerance">Distance that counts as zero.</param>
+    /// <param name="found">Room for <see cref="MaxCount"/>.</param>
+    /// <returns>Number of points found; an end is preferred to a crossing near it.</returns>
+    public static int BetweenWithEnds(in PathPiece first, in PathPiece second, double tolerance, Span<Crossing> found)
+    {
+        var into = new CommonPoints(first, second, tolerance, found);
+        if (second.DistanceTo(first.Start) <= tolerance) into.Offer(first.Start);
+        if (second.DistanceTo(first.End) <= tolerance) into.Offer(first.End);
+        if (first.DistanceTo(second.Start) <= tolerance) into.Offer(second.Start);
+        if (first.DistanceTo(second.End) <= tolerance) into.Offer(second.End);
+        AddCrossings(ref into);
+        return into.Count;
+    }
+
+    private static void AddCrossings(ref CommonPoints into)
+    {
+        var (first, second) = (into.First, into.Second);
         if (!first.IsArc && !second.IsArc) OfLines(ref into);
         else if (!first.IsArc) OfLineAndCircle(ref into, first, second);
         else if (!second.IsArc) OfLineAndCircle(ref into, second, first);
         else OfCircles(ref into);
-        return into.Count;
     }
 
     /// <summary>Distance by which the computed crossing of two neighbours can miss the point that joins them, where they are almost tangent.</summary>

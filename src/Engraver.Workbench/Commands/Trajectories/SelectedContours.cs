@@ -9,7 +9,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
 using Engraver.Core.Sequencing.Nesting;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Lettering;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 

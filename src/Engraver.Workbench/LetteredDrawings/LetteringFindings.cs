@@ -1,8 +1,9 @@
 using System.Diagnostics;
 using Engraver.Core.Diagnostics;
 using Engraver.Fonts.Finding;
+using Engraver.Workbench.Lettering;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>Collects what lettering reports: each font, character, code and form once, with the first place in the file and the number of texts.</summary>
 internal sealed class LetteringFindings
@@ -26,6 +27,8 @@ internal sealed class LetteringFindings
     public void AddNoSize(SourceRef source, string content) => _lost.Add(LetteringRules.NoSize.At(source, Shown(content)));
 
     public void AddOutOfRange(SourceRef source, string content) => _lost.Add(LetteringRules.OutOfRange.At(source, Shown(content)));
+
+    public void AddNotUnited(SourceRef source, string content) => _lost.Add(LetteringRules.NotUnited.At(source, Shown(content)));
 
     public void AddTilted(SourceRef source) => _tilted = (_tilted?.First ?? source, (_tilted?.Count ?? 0) + 1);
 

@@ -1,8 +1,10 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Workbench.Lettering;
+using Engraver.Workbench.Lettering.Paragraphs;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>A drawing with the letters of texts as curves. Behind its entities, whose indices remain, is one for each of its texts, in their order: that of
 /// a text without letters has no part.</summary>
@@ -15,8 +17,9 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
     public static LetteredDrawing None(Drawing drawing) => new(drawing, [], []);
 
     /// <param name="isTaken">The texts to make curves of.</param>
+    /// <param name="maxError">Largest distance of the arcs of united outlines from the curves of the font, drawing units.</param>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static LetteredDrawing Of(Drawing drawing, Predicate<PlacedText> isTaken, LetterFonts fonts, CancellationToken cancellation)
+    public static LetteredDrawing Of(Drawing drawing, Predicate<PlacedText> isTaken, LetterFonts fonts, double maxError, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(isTaken);
@@ -27,7 +30,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         {
             cancellation.ThrowIfCancellationRequested();
             var text = drawing.Texts[index];
-            if (text.Written.Paragraphs is null && isTaken(text) && Letter(text, fonts, findings) is var (layout, curves))
+            if (isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
             {
                 done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
                 continue;
@@ -40,17 +43,24 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
     }
 
-    private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, LetteringFindings findings)
+    /// <summary>The layout of a text of any type; null if it has no size.</summary>
+    public static TextLayout? LayoutOf(PlacedText text, LetterFonts fonts)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        return text.Written.Paragraphs is null ? LineLayout.Of(text, fonts) : ParagraphLayout.Of(text, fonts);
+    }
+
+    private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, double maxError, LetteringFindings findings)
     {
         var source = SourceOf(text);
-        if (LineLayout.Of(text, fonts) is not { } layout)
+        if (LayoutOf(text, fonts) is not { } layout)
         {
             findings.AddNoSize(source, text.Content);
             return null;
         }
 
         findings.Add(source, layout.Notes);
-        var curves = LetterCurves.Of(layout);
+        var curves = LetterCurves.Of(layout, maxError);
         if (!curves.IsInRange)
         {
             findings.AddOutOfRange(source, text.Content);
@@ -58,6 +68,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         }
 
         if (curves.IsTilted) findings.AddTilted(source);
+        if (!curves.IsUnited) findings.AddNotUnited(source, text.Content);
         return (layout, curves);
     }
 

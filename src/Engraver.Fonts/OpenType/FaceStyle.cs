@@ -3,7 +3,7 @@ namespace Engraver.Fonts.OpenType;
 /// <summary>Weight, width and slant of a face (OpenType 1.9, OS/2 and head).</summary>
 /// <param name="Weight">400 is regular, 700 is bold.</param>
 /// <param name="Width">5 is normal, smaller is condensed.</param>
-public readonly record struct FontStyle(int Weight, int Width, bool IsItalic)
+public readonly record struct FaceStyle(int Weight, int Width, bool IsItalic)
 {
     private const int Regular = 400, Bold = 700, NormalWidth = 5;
 
@@ -13,16 +13,16 @@ public readonly record struct FontStyle(int Weight, int Width, bool IsItalic)
     public bool IsBold => Weight >= SemiBold;
 
     /// <exception cref="BrokenFontException">The tables are invalid.</exception>
-    public static FontStyle Read(FontFile file)
+    public static FaceStyle Read(FontFile file)
     {
         const int BoldInHead = 1, ItalicInHead = 2;
         if (file.Has("OS/2"))
         {
             var style = file.Table("OS/2");
-            return new FontStyle(style.UInt16(4), style.UInt16(6), (style.UInt16(62) & 1) != 0);
+            return new FaceStyle(style.UInt16(4), style.UInt16(6), (style.UInt16(62) & 1) != 0);
         }
         var flags = file.Table("head").UInt16(44);
-        return new FontStyle((flags & BoldInHead) != 0 ? Bold : Regular, NormalWidth, (flags & ItalicInHead) != 0);
+        return new FaceStyle((flags & BoldInHead) != 0 ? Bold : Regular, NormalWidth, (flags & ItalicInHead) != 0);
     }
 
     /// <summary>How far this style is from a requested one: slant first, then weight, then width.</summary>

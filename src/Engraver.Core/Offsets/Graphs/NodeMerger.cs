@@ -1,7 +1,7 @@
 using System.Runtime.InteropServices;
 using Engraver.Core.Geometry;
 
-namespace Engraver.Core.Offsets;
+namespace Engraver.Core.Offsets.Graphs;
 
 /// <summary>Numbers points: points within a tolerance of each other get the same number.</summary>
 internal sealed class NodeMerger

@@ -1,4 +1,6 @@
-namespace Engraver.Workbench.Lettering;
+using Engraver.Workbench.Lettering;
+
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>A text whose letters are curves of the lettered drawing.</summary>
 /// <param name="Text">Index in the texts of the drawing before.</param>

@@ -2,8 +2,9 @@ using System.Collections.Concurrent;
 using Engraver.Core.Drawings;
 using Engraver.Fonts.Finding;
 using Engraver.Fonts.OpenType;
+using Engraver.Workbench.Lettering;
 
-namespace Engraver.Workbench.Lettering;
+namespace Engraver.Workbench.LetteredDrawings;
 
 /// <summary>The fonts that a drawing can use: those beside it, those in the folder of the program, those of the system.</summary>
 public static class LetterLibrary

@@ -1,0 +1,82 @@
+using Engraver.Core.TextMarkup;
+
+namespace Engraver.Workbench.Lettering.Paragraphs;
+
+/// <summary>Fills one line. Between two tabs, items have their places from the start of this segment: at a centred or right tab stop, the segment moves to the
+/// left as it grows.</summary>
+internal sealed class LineBuilder(ParagraphMeasures paragraph)
+{
+    private readonly List<PlacedItem> _items = [];
+    private double _left;
+    private bool _isFirst;
+
+    private int _segmentFirst;
+    private double _segmentFrom;
+    private (double Position, ParagraphAlignment Alignment)? _stop;
+    private double _length;
+    private double _inked;
+
+    public bool HasItems => _items.Count > 0;
+
+    public void Start(bool isFirst)
+    {
+        _isFirst = isFirst;
+        _left = isFirst ? paragraph.FirstLeft : paragraph.Left;
+        _items.Clear();
+        StartSegment(_left, null);
+    }
+
+    /// <summary>Right side of the letters if a word were added.</summary>
+    /// <param name="inked">From the start of the word to the right side of its last letter.</param>
+    public double EndWith(double inked)
+    {
+        var width = Math.Max(_inked, _length + inked);
+        return SegmentStart(width) + width;
+    }
+
+    public void Add(LineItem item)
+    {
+        if (item.Kind == LineItemKind.Tab)
+        {
+            var at = EndSegment();
+            _items.Add(new PlacedItem(item, at));
+            StartSegment(at, paragraph.StopAfter(at));
+            return;
+        }
+
+        _items.Add(new PlacedItem(item, _length));
+        if (item.HasInk) _inked = Math.Max(_inked, _length + item.Ink.Right);
+        _length += item.Advance;
+    }
+
+    /// <param name="height">Of letters at this place.</param>
+    public SetLine Finish(LineEnd end, double height)
+    {
+        EndSegment();
+        var count = _items.Count;
+        while (end == LineEnd.Wrapped && count > 0 && _items[count - 1].Item.IsGap) count--;
+        return new SetLine(paragraph, [.. _items.Take(count)], _left, count == 0 && HasItems ? _items[0].Item.Format.Height : height, _isFirst, end);
+    }
+
+    private void StartSegment(double from, (double Position, ParagraphAlignment Alignment)? stop)
+    {
+        (_segmentFirst, _segmentFrom, _stop) = (_items.Count, from, stop);
+        (_length, _inked) = (0.0, 0.0);
+    }
+
+    /// <summary>Places the items of the segment; returns the pen after it.</summary>
+    private double EndSegment()
+    {
+        var start = SegmentStart(_inked);
+        for (var i = _segmentFirst; i < _items.Count; i++) _items[i] = _items[i] with { X = _items[i].X + start };
+        return start + _length;
+    }
+
+    private double SegmentStart(double inked) => _stop switch
+    {
+        null => _segmentFrom,
+        (var position, ParagraphAlignment.Right) => Math.Max(_segmentFrom, position - inked),
+        (var position, ParagraphAlignment.Centre) => Math.Max(_segmentFrom, position - (inked / 2.0)),
+        var (position, _) => position,
+    };
+}
