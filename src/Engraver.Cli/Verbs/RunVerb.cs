@@ -93,7 +93,7 @@ internal sealed class RunVerb
         var strategy = ModeOption.Strategy(parsed, _mode, settings);
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
         var (job, fit) = await PrepareAsync(parsed, settings, strategy, stop).ConfigureAwait(false);
-        if (!parsed.GetValue(_json) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory) && await TextQuestion.AskAsync(_host, job, stop).ConfigureAwait(false) is { } engraving)
+        if (!parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory) && await TextQuestion.AskAsync(_host, job, stop).ConfigureAwait(false) is { } engraving)
         {
             (job, fit) = await PrepareAsync(parsed, _settings = engraving, strategy, stop).ConfigureAwait(false);
         }

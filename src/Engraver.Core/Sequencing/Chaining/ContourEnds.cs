@@ -54,6 +54,15 @@ public sealed class ContourEnds : IndexedList<Discontinuity>
         return new ContourEnds(places, rows, levels, isApart);
     }
 
+    /// <summary>Without the open contours that begin and end in such rows.</summary>
+    internal ContourEnds Without(Predicate<int> isLeftOut)
+    {
+        int[] kept = [.. Enumerable.Range(0, Count / 2).Where(contour => !isLeftOut(_rows[2 * contour]) || !isLeftOut(_rows[(2 * contour) + 1]))];
+        return kept.Length == Count / 2 ? this : new ContourEnds(Pairs(_places), Pairs(_rows), _levels.Length == 0 ? [] : Pairs(_levels), [.. kept.Select(contour => _isApart[contour])]);
+
+        T[] Pairs<T>(T[] of) => [.. kept.SelectMany(contour => (T[])[of[2 * contour], of[(2 * contour) + 1]])];
+    }
+
     /// <summary>Separates the ends that have another end nearby from the others.</summary>
     /// <param name="beyond">Lower limit in millimetres; a tolerance could not join an end within this distance.</param>
     /// <param name="within">Upper limit in millimetres; an end at exactly this distance does not count.</param>
