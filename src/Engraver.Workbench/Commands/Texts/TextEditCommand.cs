@@ -66,7 +66,7 @@ internal sealed class TextEditCommand : ICommand
         }
 
         context.HighlightPicked([drawing.Entities.Count + text]);
-        var prompt = new TextPrompt(Wording.Get("DdEdit.EnterText")) { Default = TypedText.FromRaw(before.Written.Raw), TypedGhost = typed => typed.Length == 0 ? [] : TextDraft.Preview(drawing, WithTyped(before, typed)) };
+        var prompt = new TextPrompt(Wording.Get("DdEdit.EnterText")) { Default = TypedText.FromRaw(before.Written.Raw), EditsDefault = true, TypedGhost = typed => typed.Length == 0 ? [] : TextDraft.Preview(drawing, WithTyped(before, typed)) };
         var typed = await context.ValueAsync(prompt).ConfigureAwait(false);
         context.HighlightPicked(null);
         if (WithTyped(before, typed) is var after && after.Written.Raw == before.Written.Raw) return;
