@@ -1,4 +1,5 @@
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output;
 
@@ -59,6 +60,9 @@ internal sealed record RunJson
 
     /// <summary>Maximum allowed distance from the drawing, mm; null for a run that did not start.</summary>
     public double? Tolerance { get; init; }
+
+    /// <summary>The fonts of the texts that are cut; empty if none is.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
 
     /// <summary>The executed trajectories; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }

@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Posts;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
@@ -55,6 +56,7 @@ internal sealed class VerifyVerb
         var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file), Values = ValuesOption.Read(parsed.GetValue(_values)) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await ProgressBar.OfVerificationAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
+        report = CertifiedFonts.Compare(report, drawing, settings, target, dialect);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);

@@ -48,7 +48,7 @@ public static class Sequencer
             (segments, ends) = (kept.ToSegments(), null);
         }
 
-        var chain = ContourChainer.Chain(segments, ends ?? new SegmentEnds(segments, options.JoinTolerance), options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance));
+        var chain = ContourChainer.Chain(segments, ends ?? new SegmentEnds(segments, options.JoinTolerance), options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance), LettersOf(kept, drawing));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
         findings.SumUp();
@@ -78,6 +78,8 @@ public static class Sequencer
             Diagnostics = findings.Diagnostics,
         };
     }
+
+    private static Predicate<int>? LettersOf(EntityTable table, Drawing? drawing) => drawing is null ? null : row => drawing.Entities[table.EntityIndexOf(row)].Type.IsLetters();
 
     private static IReadOnlyList<StrokeEntry> Entries(ChainedTable chained, SequencingOptions options, SequencingFindings findings)
     {

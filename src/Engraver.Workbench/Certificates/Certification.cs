@@ -67,6 +67,7 @@ public static class Certification
             Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
             Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X.CountsPerMillimetre, machine.Scale.Y.CountsPerMillimetre, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
             Plate = request.Values.IsNone ? null : request.Values.ToString(),
+            Fonts = job.Fonts,
             Ok = report.Ok,
             MaxDeviation = report.MaxDeviationMm,
             Tolerance = report.ToleranceMm,

@@ -23,9 +23,9 @@ public static class PlateJob
     {
         ArgumentNullException.ThrowIfNull(drawing);
         if (offset == default) return drawing;
-        int[] all = [.. Enumerable.Range(0, drawing.Entities.Count)];
+        int[] objects = [.. Enumerable.Range(0, drawing.Entities.Count + drawing.Texts.Count)];
         var map = Transform2D.Move(new Vector2D(drawing.Scale.ToDrawing(offset.X), drawing.Scale.ToDrawing(offset.Y)));
-        if (!DrawingEdit.TryTransform(drawing, all, map, out var moved)) throw new SettingException(Wording.Get("DrawingChange.OutOfRange"));
-        return EditedAnnotations.ForCurves(drawing, all, takesLocked: true).Moved(moved, map);
+        if (!DrawingEdit.TryTransform(drawing, objects.Take(drawing.Entities.Count), map, out var moved)) throw new SettingException(Wording.Get("DrawingChange.OutOfRange"));
+        return EditedAnnotations.For(drawing, objects, takesLocked: true).Moved(moved, map);
     }
 }

@@ -5,6 +5,7 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
@@ -30,6 +31,9 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The plate with the values of its texts and its place; null for a drawing that is not one of several plates.</summary>
     public Plate? Plate { get; init; }
 
+    /// <summary>The fonts of the texts that are cut; empty if none is.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
     /// <summary>The trajectories that replace the drawing, and their document; null for a job of the drawing. <see cref="Drawing"/> then contains their
     /// curves.</summary>
     public FollowedTrajectories? Trajectories { get; init; }
@@ -43,9 +47,12 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
 
-    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022) and fields without a value, which cannot be accepted; empty for every job that
-    /// may be run or posted.</summary>
+    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), misplaced letters (VER0023) and fields without a value, which cannot be accepted;
+    /// empty for every job that may be run or posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
+
+    /// <summary>Those of <see cref="Faults"/> that are misplaced letters.</summary>
+    public IReadOnlyList<Diagnostic> LetterFaults => [.. Faults.Where(fault => fault.Rule == VerificationRules.LettersMisplaced)];
 
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
@@ -61,7 +68,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public static PreparedJob From(CheckedJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults };
+        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults, Fonts = job.Letters.Fonts };
     }
 
     /// <summary>True if this is the job of a document: same drawing and settings, and same trajectories if these are run.</summary>

@@ -8,9 +8,11 @@ using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Histories;
 
@@ -95,6 +97,9 @@ public sealed record HistoryEntry
     /// <summary>By the keys of docs/settings.md.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
+    /// <summary>The fonts of the texts that were cut; empty if none was.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
     /// <summary>The machine profile in its full form.</summary>
     public JsonElement Profile { get; init; }
 
@@ -160,6 +165,7 @@ public sealed record HistoryEntry
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
         Settings = SettingValues.Of(settings.AsOpened(drawing)),
+        Fonts = JobPreparation.To<LetteredJob>(drawing, settings).Letters.Fonts,
         Profile = ProfileOf(settings),
     };
 
@@ -172,6 +178,7 @@ public sealed record HistoryEntry
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Trajectories is not null,
             Plate = job.Plate?.ToString(),
+            Fonts = job.Fonts,
             Mode = options.Strategy.Key,
             Address = options.Address.Typed,
             Outcome = OutcomeText.Token(outcome),

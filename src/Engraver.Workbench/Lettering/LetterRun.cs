@@ -31,13 +31,10 @@ public static class LetterRun
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(font);
         ArgumentNullException.ThrowIfNull(notes);
-        if (ShapedRun.TrySet(text, font, format, origin, notes, codePoint => GlyphOf(codePoint, font, notes)) is { } shaped) return shaped;
+        if (ShapedOf(text, font, format, origin, notes) is { } shaped) return shaped;
         var (glyphs, x, left) = (new List<GlyphPlace>(), origin.X, default(int?));
-        foreach (var rune in Composed(text).EnumerateRunes())
+        foreach (var (from, codePoint, curves) in ShapesOf(text, font, notes))
         {
-            if (IsWithoutShape(rune)) continue;
-            if (ComplexLine.IsComplex(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
-            var (from, codePoint, curves) = GlyphOf(rune.Value, font, notes);
             var scale = format.Height / from.Font.Metrics.CapHeight;
             if (left is { } before && ReferenceEquals(from, font)) x += KerningOf(font.Font, before, codePoint) * scale * format.WidthFactor;
             left = ReferenceEquals(from, font) ? codePoint : null;
@@ -46,6 +43,34 @@ public static class LetterRun
         }
 
         return new LetterRunResult(glyphs, x - origin.X);
+    }
+
+    /// <summary>The glyphs of a text whose letters join or change places; null for any other text.</summary>
+    internal static LetterRunResult? ShapedOf(string text, FoundFont font, LetterFormat format, Point2D origin, LayoutNotes notes) =>
+        ShapedRun.TrySet(text, font, format, origin, notes, codePoint => GlyphOf(codePoint, font, notes));
+
+    /// <summary>The characters that a text shows, each with its shape: the font's, otherwise the stroke font's, otherwise a box.</summary>
+    internal static IEnumerable<(FoundFont Font, int CodePoint, GlyphCurves Curves)> ShapesOf(string text, FoundFont font, LayoutNotes notes)
+    {
+        foreach (var rune in Composed(text).EnumerateRunes())
+        {
+            if (IsWithoutShape(rune)) continue;
+            if (ComplexLine.IsComplex(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
+            yield return GlyphOf(rune.Value, font, notes);
+        }
+    }
+
+    /// <summary>In font units; 0 for a pair that cannot be read.</summary>
+    internal static double KerningOf(ITextFont font, int left, int right)
+    {
+        try
+        {
+            return font.KerningOf(left, right);
+        }
+        catch (BrokenFontException)
+        {
+            return 0.0; // its shapes are readable, only the pair is not: the plain advance
+        }
     }
 
     /// <summary>The map of a point of the plane that is slanted with the letters of a run: for lines drawn with them.</summary>
@@ -77,7 +102,6 @@ public static class LetterRun
         }
     }
 
-    /// <summary>The shape of a character: the font's, otherwise the stroke font's, otherwise a box.</summary>
     private static (FoundFont Font, int CodePoint, GlyphCurves Curves) GlyphOf(int codePoint, FoundFont font, LayoutNotes notes)
     {
         if (Shape(codePoint, font.Font, notes) is { } own) return (font, codePoint, own);
@@ -104,18 +128,6 @@ public static class LetterRun
         {
             notes.Add(LayoutNoteKind.GlyphBroken, Name(codePoint));
             return null;
-        }
-    }
-
-    private static double KerningOf(ITextFont font, int left, int right)
-    {
-        try
-        {
-            return font.KerningOf(left, right);
-        }
-        catch (BrokenFontException)
-        {
-            return 0.0; // its shapes are readable, only the pair is not: the plain advance
         }
     }
 

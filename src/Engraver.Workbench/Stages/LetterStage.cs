@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Stages;
 
 /// <summary>Fills the fields in the texts on the selected layers and makes curves of these texts, if the settings request it.</summary>
-internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 2)
+internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 0)
 {
     public override IReadOnlyList<Setting> Settings => [SettingTable.Cut, SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.MaxError];
 
