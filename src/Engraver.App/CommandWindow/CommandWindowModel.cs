@@ -56,6 +56,7 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
         set
         {
             if (!SetProperty(ref _line, value ?? "")) return;
+            _desk.TypedLine = _line;
             Suggest();
         }
     }

@@ -7,8 +7,8 @@ namespace Engraver.Workbench.LetteredDrawings;
 /// <c>n + k</c> is the text <c>k</c> of a drawing of <c>n</c> curves, as in the drawing of a job that cuts texts.</summary>
 public static class ShownDrawing
 {
-    /// <summary>Largest distance of united outlines from the curves of the font as they are shown.</summary>
-    private const double ShownErrorMm = 0.001;
+    /// <summary>Largest distance of the arcs of united outlines from the curves of the font, millimetres.</summary>
+    private const double MaxErrorMm = 0.00025;
 
     private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
 
@@ -20,14 +20,13 @@ public static class ShownDrawing
         return drawing.Texts.Count == 0 ? drawing : s_known.GetValue(drawing, Create).Value;
     }
 
-    /// <summary>The same with texts that are changed or added. Not kept: for previews.</summary>
-    /// <param name="texts">The texts to show.</param>
-    /// <returns>Only the letters of these texts, one entity for each.</returns>
+    /// <summary>The letters of texts that a drawing could have, for previews: a drawing with one entity for each.</summary>
+    /// <param name="drawing">Its layers and styles are used.</param>
     public static Drawing LettersOf(Drawing drawing, IReadOnlyList<PlacedText> texts)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         var bare = drawing with { Entities = new GrowingColumn<DrawingEntity>(), Parts = new GrowingColumn<DrawingPart>(), Curves = [], Points = [], Texts = texts };
-        return Lettered(bare);
+        return Lettered(bare, _ => true);
     }
 
     /// <summary>Index of the text of an entity of the shown drawing; null for a curve.</summary>
@@ -37,8 +36,8 @@ public static class ShownDrawing
         return entity >= drawing.Entities.Count && entity - drawing.Entities.Count < drawing.Texts.Count ? entity - drawing.Entities.Count : null;
     }
 
-    private static Lazy<Drawing> Create(Drawing drawing) => new(() => Lettered(drawing));
+    private static Lazy<Drawing> Create(Drawing drawing) => new(() => Lettered(drawing, text => text.IsVisibleIn(drawing)));
 
-    private static Drawing Lettered(Drawing drawing) =>
-        LetteredDrawing.Of(drawing, text => text.IsVisibleIn(drawing), LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(ShownErrorMm), CancellationToken.None).Drawing;
+    private static Drawing Lettered(Drawing drawing, Predicate<PlacedText> isTaken) =>
+        LetteredDrawing.Of(drawing, isTaken, LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(MaxErrorMm), CancellationToken.None).Drawing;
 }

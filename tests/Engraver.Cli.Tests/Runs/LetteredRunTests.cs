@@ -14,7 +14,8 @@ public sealed class LetteredRunTests : IDisposable
     public LetteredRunTests()
     {
         _drawing = _folder.PathOf("label.dxf");
-        File.Copy(SampleDrawing.PathOf("label-plate"), _drawing);
+        var sample = File.ReadAllText(SampleDrawing.PathOf("label-plate"));
+        File.WriteAllText(_drawing, sample.Replace("[[csv:NAME]]", "Pump 1", StringComparison.Ordinal).Replace("[[n:0000]]", "0042", StringComparison.Ordinal).Replace("[[date:yyyy-MM-dd]]", "2026-11-27", StringComparison.Ordinal));
         File.Copy(Path.Combine(RepositoryFolder.Samples, Font), _folder.PathOf(Font));
     }
 
