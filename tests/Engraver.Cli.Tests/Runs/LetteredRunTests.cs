@@ -36,7 +36,7 @@ public sealed class LetteredRunTests : IDisposable
         Assert.Equal([(Font, "Plate Letters"), ("txt", "Engraver")], Fonts(report).Select(font => (font.Requested, font.Font)));
         Assert.Equal((true, true), (Fonts(report).SequenceEqual(Fonts(plan)), Fonts(report).SequenceEqual(Fonts(certificate))));
         Assert.Empty(Fonts(without));
-        Assert.Contains(Fonts(report)[0].Sha256, (await File.ReadAllLinesAsync(_folder.PathOf("a.jsonl")))[0], StringComparison.Ordinal);
+        Assert.Contains(Fonts(report)[0].Sha256, (await File.ReadAllLinesAsync(_folder.PathOf("a.jsonl")))[1], StringComparison.Ordinal);
         Assert.Empty(report.GetProperty("notCut").EnumerateObject());
     }
 
