@@ -3,18 +3,23 @@ using System.Text;
 
 namespace Engraver.Shaping;
 
-/// <summary>The direction of the parts of a line: rules P2, P3, W1 to W7, N1, N2, I1, I2 and L2 of Unicode Standard Annex 9, for a line without marks of
+/// <summary>The direction of the parts of a line: rules P2, P3, W1 to W7, N1, N2, I1, I2, L1 and L2 of Unicode Standard Annex 9, for a line without marks of
 /// direction. Pairs of brackets are neutral characters here (without rule N0).</summary>
 internal static class BidiLine
 {
-    /// <summary>The parts of one direction, from left to right as they are seen.</summary>
-    public static IReadOnlyList<DirectedPart> PartsOf(string text)
+    /// <summary>The parts of one direction, from left to right as they are seen. The first letter decides the direction of the line.</summary>
+    public static IReadOnlyList<DirectedPart> PartsOf(string text) =>
+        PartsOf(text, ClassesOf(text).FirstOrDefault(one => one is BidiClass.LeftToRight or BidiClass.RightToLeft or BidiClass.ArabicLetter) is BidiClass.RightToLeft or BidiClass.ArabicLetter);
+
+    /// <summary>The same for a line of a direction.</summary>
+    public static IReadOnlyList<DirectedPart> PartsOf(string text, bool isRightToLeft)
     {
         var classes = ClassesOf(text);
-        var isRightToLeft = classes.FirstOrDefault(one => one is BidiClass.LeftToRight or BidiClass.RightToLeft or BidiClass.ArabicLetter) is BidiClass.RightToLeft or BidiClass.ArabicLetter;
         ResolveWeak(classes, isRightToLeft);
         ResolveNeutral(classes, isRightToLeft);
-        return Reordered(LevelsOf(classes, isRightToLeft));
+        var levels = LevelsOf(classes, isRightToLeft);
+        for (var i = text.Length - 1; i >= 0 && char.IsWhiteSpace(text[i]); i--) levels[i] = isRightToLeft ? 1 : 0;
+        return Reordered(levels);
     }
 
     private static BidiClass[] ClassesOf(string text)

@@ -40,6 +40,34 @@ public static class ComplexLine
         return BidiLine.PartsOf(text).Any(part => part.IsRightToLeft);
     }
 
+    /// <summary>The order in which the parts of a line are seen from left to right: indices of the list.</summary>
+    /// <param name="parts">As they are read; none is empty.</param>
+    public static IReadOnlyList<int> OrderOf(IReadOnlyList<string> parts)
+    {
+        ArgumentNullException.ThrowIfNull(parts);
+        var starts = new Dictionary<int, int>(parts.Count);
+        var length = 0;
+        for (var i = 0; i < parts.Count; i++)
+        {
+            starts[length] = i;
+            length += parts[i].Length;
+        }
+
+        var order = new List<int>(parts.Count);
+        foreach (var directed in BidiLine.PartsOf(string.Concat(parts)))
+        {
+            var first = order.Count;
+            for (var at = directed.Start; at < directed.Start + directed.Length; at++)
+            {
+                if (starts.TryGetValue(at, out var part)) order.Add(part);
+            }
+
+            if (directed.IsRightToLeft) order.Reverse(first, order.Count - first);
+        }
+
+        return order;
+    }
+
     /// <summary>The glyphs of a line from left to right. Clusters are indices of the text.</summary>
     public static IReadOnlyList<ShapedGlyph> Shape(string text, ShapingFace face)
     {

@@ -87,12 +87,12 @@ internal sealed class CanvasMarkers : Control
 
     private void Outline(DrawingContext context, CanvasScene scene, int entity, IPen pen)
     {
-        if ((uint)entity >= (uint)scene.Drawing.Entities.Count || !DrawingPrimitives.IsVisible(scene.Drawing, entity)) return;
+        if ((uint)entity >= (uint)scene.Shown.Entities.Count || !DrawingPrimitives.IsVisible(scene.Shown, entity)) return;
         var geometry = new StreamGeometry();
         using (var sink = geometry.Open())
         {
             var outline = new OutlineSink(sink, Scaling);
-            foreach (var segment in DrawingPick.Segments(scene.Drawing, entity).Take(MaxOutlinedParts)) SegmentFlattener.Flatten(segment, View, ref outline);
+            foreach (var segment in DrawingPick.Segments(scene.Shown, entity).Take(MaxOutlinedParts)) SegmentFlattener.Flatten(segment, View, ref outline);
         }
 
         context.DrawGeometry(null, pen, geometry);

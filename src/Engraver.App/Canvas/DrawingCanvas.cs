@@ -333,8 +333,8 @@ public sealed class DrawingCanvas : Panel
     private bool[]? Flags(CanvasScene? scene, IReadOnlyList<int>? selection)
     {
         if (scene is null || selection is not { Count: > 0 }) return null;
-        if (ReferenceEquals(_flaggedSelection, selection) && _cache.Content.Selected is { } known && known.Length == scene.Drawing.Entities.Count) return known;
-        var flags = new bool[scene.Drawing.Entities.Count];
+        if (ReferenceEquals(_flaggedSelection, selection) && _cache.Content.Selected is { } known && known.Length == scene.Shown.Entities.Count) return known;
+        var flags = new bool[scene.Shown.Entities.Count];
         foreach (var entity in selection)
         {
             if ((uint)entity < (uint)flags.Length) flags[entity] = true;

@@ -3,6 +3,7 @@ using Engraver.App.Canvas;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Desk;
 
@@ -37,7 +38,7 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     public void SelectBox(Point2D from, Point2D to, bool crossing, bool remove)
     {
         var box = Bounds2D.FromCorners(from, to);
-        _ = desk.SelectAsync(drawing => [.. crossing ? DrawingPick.Touching(drawing, box) : DrawingPick.Inside(drawing, box)], remove);
+        _ = desk.SelectAsync(drawing => [.. crossing ? DrawingPick.Touching(ShownDrawing.Of(drawing), box) : DrawingPick.Inside(ShownDrawing.Of(drawing), box)], remove);
     }
 
     public void Cancel() => cancel();

@@ -69,7 +69,7 @@ public sealed class CanvasSource
         _canvas.Scene = scene;
         _canvas.Overlay = WithTrajectories(null);
         ShowTool();
-        if (_job is { } job && ReferenceEquals(job.Drawing, drawing)) await ShowJobAsync(job);
+        if (_job is { } job && ReferenceEquals(job.DocumentDrawing, drawing)) await ShowJobAsync(job);
     }
 
     private async Task ShowJobAsync(PreparedJob? job)

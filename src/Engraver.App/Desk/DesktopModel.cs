@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Views;
 
@@ -94,8 +95,9 @@ public sealed class DesktopModel : IAsyncDisposable
             return;
         }
 
-        if (finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
-        var box = DrawingExtents.Measure(drawing, [entity]);
+        var shown = ShownDrawing.Of(drawing);
+        if (finding.Source.Handle is not { } handle || shown.IndexOfHandle(handle) is not { } entity) return;
+        var box = DrawingExtents.Measure(shown, [entity]);
         if (box.IsEmpty) return;
         var everything = Session.View.ExtentsOf(drawing);
         var height = Math.Max(FindingMargin * Math.Max(box.Width, box.Height), MinPart * Math.Max(everything.Width, everything.Height));

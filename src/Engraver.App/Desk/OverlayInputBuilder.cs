@@ -3,6 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
@@ -19,7 +20,7 @@ internal static class OverlayInputBuilder
     public static OverlayInputs From(DerivedDocument derived) => new()
     {
         LazyMoveSpeeds = () => derived is { Motion: { } motion, Job.Toolpath: { } path } && path.Strokes.Sum(stroke => stroke.Moves.Count) is var moves and <= MaxSpeeds ? SpeedsOf(motion, moves) : [],
-        Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],
+        Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, ShownDrawing.Of(drawing)) : [],
     };
 
     /// <summary>Speed in the middle of each move, as a fraction of the fastest.</summary>

@@ -8,6 +8,7 @@ using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Plots;
 using Engraver.Workbench.Settings;
 
@@ -270,7 +271,7 @@ public sealed class PlotsModel : ObservableObject, IVisibilityAware
     /// <summary>Type and handle of an entity; null if the drawing has changed.</summary>
     private string? EntityName(int entity)
     {
-        if (_desk.Derived.Current.State.Drawing is not { } drawing || entity >= drawing.Entities.Count) return null;
+        if (_desk.Derived.Current.State.Drawing is not { } document || ShownDrawing.Of(document) is not { } drawing || entity >= drawing.Entities.Count) return null;
         return Text.Get("PlotValue.Entity", drawing.Entities[entity].Type.ToDxfName(), drawing.SourceOf(entity).Handle ?? "");
     }
 }

@@ -24,6 +24,9 @@ internal sealed record PlanJson(
     IReadOnlyList<PlanJson.PlanUncutJson> Uncut,
     IReadOnlyList<CutFont> Fonts)
 {
+    /// <summary>The plates that would be engraved, of which the other values describe the first; null for a drawing without plates.</summary>
+    public IReadOnlyList<PlateReportJson>? Plates { get; init; }
+
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
 
     /// <param name="Distance">From the drawn line to the area that the tool reaches, mm.</param>

@@ -67,6 +67,12 @@ internal sealed record RunJson
     /// <summary>The executed trajectories; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }
 
+    /// <summary>The values of the texts of the plate that was run; null without any. Of a series the last one.</summary>
+    public PlateReportJson? Plate { get; init; }
+
+    /// <summary>The plates of a series that were run; null for a run that is not a series.</summary>
+    public IReadOnlyList<PlateReportJson>? Plates { get; init; }
+
     /// <summary>Where a resumed run continued.</summary>
     /// <param name="Segments">Completed segments of the whole program.</param>
     /// <param name="Along">Millimetres of the next segment that were already cut.</param>

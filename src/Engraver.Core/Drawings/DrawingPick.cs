@@ -10,7 +10,7 @@ public static class DrawingPick
     public static IEnumerable<int> Visible(Drawing drawing) => Enumerable.Range(0, drawing.Entities.Count).Where(entity => IsVisible(drawing, entity));
 
     /// <summary>Curves that are completely in the box (a window selection).</summary>
-    public static IEnumerable<int> Inside(Drawing drawing, Bounds2D box) => Visible(drawing).Where(entity => Segments(drawing, entity).All(segment => box.Contains(segment.Bounds)));
+    public static IEnumerable<int> Inside(Drawing drawing, Bounds2D box) => Visible(drawing).Where(entity => drawing.Entities[entity].PartCount > 0 && Segments(drawing, entity).All(segment => box.Contains(segment.Bounds)));
 
     /// <summary>Curves with at least one point in the box (a crossing selection).</summary>
     public static IEnumerable<int> Touching(Drawing drawing, Bounds2D box) => Visible(drawing).Where(entity => Segments(drawing, entity).Any(segment => box.Touches(segment)));

@@ -65,4 +65,11 @@ public sealed record PlacedText
 
     /// <summary>Invisible itself, or through its insert.</summary>
     public bool Hidden { get; init; }
+
+    /// <summary>False if it is hidden, or its layer is off or frozen.</summary>
+    public bool IsVisibleIn(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        return !Hidden && drawing.Layers[Layer] is { On: true, Frozen: false };
+    }
 }

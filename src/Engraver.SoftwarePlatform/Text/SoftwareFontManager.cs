@@ -4,6 +4,7 @@ using System.Globalization;
 using Avalonia.Media;
 using Avalonia.Platform;
 using Engraver.Fonts.OpenType;
+using FontStyle = Avalonia.Media.FontStyle;
 
 namespace Engraver.SoftwarePlatform.Text;
 

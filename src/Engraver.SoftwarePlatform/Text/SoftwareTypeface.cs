@@ -7,6 +7,7 @@ using Engraver.Fonts;
 using Engraver.Fonts.OpenType;
 using Engraver.Fonts.OpenType.Outlines;
 using Engraver.SoftwarePlatform.Rasteriser.Paths;
+using FontStyle = Avalonia.Media.FontStyle;
 
 namespace Engraver.SoftwarePlatform.Text;
 

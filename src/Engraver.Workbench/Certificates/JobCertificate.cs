@@ -25,6 +25,10 @@ public sealed record JobCertificate
 
     public required CertifiedProfile Profile { get; init; }
 
+    /// <summary>The values of the texts; left out where they have no fields.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public string? Plate { get; init; }
+
     /// <summary>True: the program runs to its end and cuts the whole drawing and nothing else.</summary>
     public required bool Ok { get; init; }
 

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands;
 
@@ -15,19 +16,30 @@ internal static class ObjectSelection
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
 
     /// <summary>The previously selected objects, otherwise prompts for a selection.</summary>
+    /// <param name="takesTexts">False for a command of curves: texts are removed from the selection, which is reported.</param>
     /// <exception cref="CommandException">No drawing is open, or nothing was selected.</exception>
-    public static async Task<IReadOnlyList<int>> GetAsync(CommandContext context)
+    public static async Task<IReadOnlyList<int>> GetAsync(CommandContext context, bool takesTexts = false)
     {
         _ = context.Drawing;
         var before = context.Document.Current.Selection;
-        if (before.Count == 0) return await PickAsync(context).ConfigureAwait(false);
+        if (before.Count == 0) return await PickAsync(context, takesTexts).ConfigureAwait(false);
         context.WriteMessage(Wording.Get("ObjectSelection.Found", before.Count));
-        return before;
+        return takesTexts ? before : SomeCurves(context, before);
     }
 
     /// <summary>The same for commands that change or erase objects: without those on locked layers.</summary>
     /// <exception cref="CommandException">No drawing is open, nothing was selected, or all objects are locked.</exception>
-    public static async Task<IReadOnlyList<int>> GetForEditAsync(CommandContext context) => Unlocked(context, await GetAsync(context).ConfigureAwait(false));
+    public static async Task<IReadOnlyList<int>> GetForEditAsync(CommandContext context, bool takesTexts = false) => Unlocked(context, await GetAsync(context, takesTexts).ConfigureAwait(false));
+
+    /// <summary>The curves of some objects; reports how many texts are left out.</summary>
+    public static IReadOnlyList<int> CurvesOf(CommandContext context, IReadOnlyList<int> objects)
+    {
+        var curves = context.Drawing.Entities.Count;
+        var texts = objects.Count(index => index >= curves);
+        if (texts == 0) return objects;
+        context.WriteMessage(Wording.Get("ObjectSelection.TextsLeftOut", CountText.Format(texts, "Text")));
+        return [.. objects.Where(index => index < curves)];
+    }
 
     /// <summary>The editable ones of some objects; reports how many are on locked layers.</summary>
     /// <exception cref="CommandException">All of them are.</exception>
@@ -40,8 +52,8 @@ internal static class ObjectSelection
     /// <summary>The same, but an empty result is allowed.</summary>
     public static IReadOnlyList<int> WithoutLocked(CommandContext context, IReadOnlyList<int> objects)
     {
-        var drawing = context.Drawing;
-        if (!drawing.Layers.Any(layer => layer.Locked)) return objects;
+        if (!context.Drawing.Layers.Any(layer => layer.Locked)) return objects;
+        var drawing = ShownDrawing.Of(context.Drawing);
         IReadOnlyList<int> free = [.. objects.Where(entity => !drawing.Layers[drawing.Entities[entity].Layer].Locked)];
         if (free.Count < objects.Count) context.WriteMessage(Wording.Get("ObjectSelection.Locked", objects.Count - free.Count));
         return free;
@@ -49,14 +61,23 @@ internal static class ObjectSelection
 
     /// <summary>Prompts for objects until Enter.</summary>
     /// <exception cref="CommandException">No drawing is open, or nothing was selected.</exception>
-    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context) =>
-        await PickAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false) is { Count: > 0 } picked ? picked : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
-
-    /// <summary>The same with another instruction; empty when nothing was selected.</summary>
-    /// <exception cref="CommandException">No drawing is open.</exception>
-    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, string instruction)
+    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, bool takesTexts = false)
     {
-        var drawing = context.Drawing;
+        var picked = await PickObjectsAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false);
+        if (picked.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
+        return takesTexts ? picked : SomeCurves(context, picked);
+    }
+
+    /// <summary>Curves, with another instruction; empty when none was selected.</summary>
+    /// <exception cref="CommandException">No drawing is open.</exception>
+    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, string instruction) => CurvesOf(context, await PickObjectsAsync(context, instruction).ConfigureAwait(false));
+
+    private static IReadOnlyList<int> SomeCurves(CommandContext context, IReadOnlyList<int> objects) =>
+        CurvesOf(context, objects) is { Count: > 0 } curves ? curves : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.OnlyTexts"));
+
+    private static async Task<IReadOnlyList<int>> PickObjectsAsync(CommandContext context, string instruction)
+    {
+        var drawing = ShownDrawing.Of(context.Drawing);
         var picking = new PickState();
         context.HighlightPicked(picking.Selected);
         while (await context.AskAsync(Prompt(instruction, picking.Adding)).ConfigureAwait(false) is var answer and not Answer<Point2D>.EndOfList)
@@ -92,7 +113,7 @@ internal static class ObjectSelection
         return (found.Value, place);
     }
 
-    /// <summary>The visible object under a point; null if there is none.</summary>
+    /// <summary>The visible curve under a point; null if there is none.</summary>
     public static int? EntityAt(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, PickRadius(context));
 
     /// <summary>Pick radius, drawing units: half the side of the pickbox (PICKBOX) as shown on the canvas.</summary>
@@ -118,7 +139,7 @@ internal static class ObjectSelection
     /// <summary>On an object: that object. On empty space: a box, a window to the right, a crossing to the left.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
     {
-        if (EntityAt(context, point) is { } entity) return [entity];
+        if (DrawingPick.Nearest(drawing, point, PickRadius(context)) is { } entity) return [entity];
         var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Purpose = PointPurpose.Corner, From = point }).ConfigureAwait(false);
         var box = Bounds2D.FromCorners(point, corner);
         return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];

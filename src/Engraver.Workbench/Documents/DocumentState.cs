@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -13,7 +14,11 @@ public sealed record DocumentState
     public Drawing? Drawing
     {
         get;
-        init => (field, Edition) = (value, value);
+        init
+        {
+            if (field is { } before && value is { } after) (Selection, Previous) = (Following(Selection, before, after), Following(Previous, before, after));
+            (field, Edition) = (value, value);
+        }
     }
 
     /// <summary>The scale of the drawing, which it has had since it was opened or created; millimetres while none is open. A unit that is set
@@ -33,7 +38,8 @@ public sealed record DocumentState
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
-    /// <summary>Indices into the drawing's entities, each once, in the order in which they were picked.</summary>
+    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="ShownDrawing"/>), each once, in the order in which they were
+    /// picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 
     /// <summary>Indices of the objects hidden by HIDEOBJECTS: only these are shown again by UNISOLATEOBJECTS, not objects hidden in the file.</summary>
@@ -41,4 +47,11 @@ public sealed record DocumentState
 
     /// <summary>The objects of the last command ("Previous").</summary>
     public IReadOnlyList<int> Previous { get; init; } = [];
+
+    /// <summary>The same objects after an edit: the indices of texts follow those of the curves.</summary>
+    internal static IReadOnlyList<int> Following(IReadOnlyList<int> objects, Drawing before, Drawing after)
+    {
+        var (curves, added) = (before.Entities.Count, after.Entities.Count - before.Entities.Count);
+        return added == 0 || !objects.Any(index => index >= curves) ? objects : [.. objects.Select(index => index >= curves ? index + added : index)];
+    }
 }

@@ -1,10 +1,11 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Decides what happens to the texts and points of a drawing when its curves are edited. They cannot be selected: they move with an edit of every
-/// visible curve, and otherwise do not move.</summary>
+/// <summary>What happens to the texts and points of a drawing when objects are edited. Selected texts are edited. Points cannot be selected, nor can texts without
+/// letters: they move with an edit of everything else that is visible, and otherwise do not move.</summary>
 internal sealed class EditedAnnotations
 {
     private readonly Drawing _drawing;
@@ -19,24 +20,25 @@ internal sealed class EditedAnnotations
         _points = drawing.Points.Count(takes);
     }
 
-    /// <summary>Number of texts that do not move.</summary>
-    public int UnmovedTexts => _drawing.Texts.Count - _texts.Count;
-
     /// <summary>Number of points that do not move.</summary>
     public int UnmovedPoints => _drawing.Points.Count - _points;
 
-    /// <summary>Selects the texts and points that move with an edit of these curves: all if all curves are edited, the visible ones if all visible curves are
-    /// edited.</summary>
+    /// <summary>Selects the texts and points that move with an edit of these objects: the selected texts; the visible ones if all that is visible is edited; all
+    /// if everything is edited.</summary>
     /// <param name="drawing">The drawing before the edit.</param>
-    /// <param name="selected">Indices of curves.</param>
+    /// <param name="selected">Indices of objects.</param>
     /// <param name="takesLocked">Also those on locked layers: they are only copied, or the whole drawing is edited.</param>
-    public static EditedAnnotations ForCurves(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
+    public static EditedAnnotations For(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
         var taken = selected.ToHashSet();
-        var all = taken.Count == drawing.Entities.Count;
-        if (!all && !DrawingPick.Visible(drawing).All(taken.Contains)) return new EditedAnnotations(drawing, [], _ => false);
-        return new EditedAnnotations(drawing, drawing.Texts.Where(text => IsFree(text.Layer) && (all || IsVisible(drawing, text))), point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing)));
+        var shown = ShownDrawing.Of(drawing);
+        var chosen = drawing.Texts.Where((_, text) => taken.Contains(drawing.Entities.Count + text));
+        var all = taken.Count == shown.Entities.Count;
+        if (!all && !DrawingPick.Visible(shown).All(entity => taken.Contains(entity) || IsWithoutLetters(entity))) return new EditedAnnotations(drawing, chosen, _ => false);
+        return new EditedAnnotations(drawing, [.. chosen, .. drawing.Texts.Where(text => IsFree(text.Layer) && (all || text.IsVisibleIn(drawing)))], point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing)));
+
+        bool IsWithoutLetters(int entity) => entity >= drawing.Entities.Count && shown.Entities[entity].PartCount == 0;
 
         bool IsFree(int layer) => takesLocked || !drawing.Layers[layer].Locked;
     }
@@ -81,6 +83,4 @@ internal sealed class EditedAnnotations
         var moved = map.Apply(new Point2D(place.X, place.Y));
         return new Vector3D(moved.X, moved.Y, place.Z);
     }
-
-    private static bool IsVisible(Drawing drawing, PlacedText text) => !text.Hidden && drawing.Layers[text.Layer] is { On: true, Frozen: false };
 }

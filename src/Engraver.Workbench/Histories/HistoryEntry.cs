@@ -53,6 +53,9 @@ public sealed record HistoryEntry
     /// <summary>Result of the last read-back of <see cref="Program"/>; null if there was none.</summary>
     public HistoryReadBack? ReadBack { get; init; }
 
+    /// <summary>The values of the texts of the plate and its place (<see cref="SerialTexts.Plate.ToString"/>); null for a job without.</summary>
+    public string? Plate { get; init; }
+
     /// <summary>stream, calls or program; null for a posted program.</summary>
     public string? Mode { get; init; }
 
@@ -116,7 +119,7 @@ public sealed record HistoryEntry
 
     /// <summary>Whether the displayed text of the job contains a word.</summary>
     public bool Matches(string word) =>
-        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
+        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Plate, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
 
     /// <summary>certified, verified or notVerified: the word used in lists and searches.</summary>
     public static string ReadBackWord(HistoryReadBack readBack)
@@ -174,6 +177,7 @@ public sealed record HistoryEntry
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Trajectories is not null,
+            Plate = job.Plate?.ToString(),
             Fonts = job.Fonts,
             Mode = options.Strategy.Key,
             Address = options.Address.Typed,

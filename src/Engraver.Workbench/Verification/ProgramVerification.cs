@@ -27,7 +27,7 @@ public static class ProgramVerification
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostParameters? posted = null)
     {
         posted ??= PostParameters.Defaults;
-        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation, posted.Values);
         var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Views;
 
@@ -91,7 +92,7 @@ public sealed class ViewSession
     /// <summary>Fits some curves; stored for Previous.</summary>
     public bool ZoomObjects(Drawing drawing, IEnumerable<int> entities)
     {
-        var box = DrawingExtents.Measure(drawing, entities);
+        var box = DrawingExtents.Measure(ShownDrawing.Of(drawing), entities);
         if (box.IsEmpty) return false;
         Show(box, Margin);
         return true;
@@ -131,7 +132,7 @@ public sealed class ViewSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>The bounding box of the visible curves, cached for the last drawing.</summary>
+    /// <summary>The bounding box of what is visible, texts included, cached for the last drawing.</summary>
     public Bounds2D ExtentsOf(Drawing drawing)
     {
         lock (_guard)
@@ -139,7 +140,7 @@ public sealed class ViewSession
             if (_extents is { } known && ReferenceEquals(known.Drawing, drawing)) return known.Box;
         }
 
-        var box = DrawingExtents.Measure(drawing);
+        var box = DrawingExtents.Measure(ShownDrawing.Of(drawing));
         lock (_guard) _extents = (drawing, box);
         return box;
     }

@@ -25,7 +25,10 @@ public static class ObjectSnap
         var store = scene.Store;
         foreach (var block in store.BlocksTouching(Bounds2D.FromCorners(place, place).Grown(aperture)))
         {
-            foreach (ref readonly var primitive in store.Block(block)) Offer(store, primitive, kinds, under, ref search);
+            foreach (ref readonly var primitive in store.Block(block))
+            {
+                if (primitive.Entity < scene.Drawing.Entities.Count) Offer(store, primitive, kinds, under, ref search); // not the strokes of letters
+            }
         }
 
         if (kinds.HasFlag(SnapKinds.Node)) OfferPoints(scene.Points, ref search);

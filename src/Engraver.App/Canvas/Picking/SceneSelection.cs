@@ -10,7 +10,7 @@ public static class SceneSelection
     public static IReadOnlyList<int> Inside(CanvasScene scene, Bounds2D box)
     {
         ArgumentNullException.ThrowIfNull(scene);
-        var (store, drawing) = (scene.Store, scene.Drawing);
+        var (store, drawing) = (scene.Store, scene.Shown);
         var inside = new int[drawing.Entities.Count];
         foreach (var block in store.BlocksTouching(box))
         {
@@ -35,7 +35,7 @@ public static class SceneSelection
     {
         ArgumentNullException.ThrowIfNull(scene);
         var store = scene.Store;
-        var touched = new bool[scene.Drawing.Entities.Count];
+        var touched = new bool[scene.Shown.Entities.Count];
         foreach (var block in store.BlocksTouching(box))
         {
             var whole = box.Contains(store.Blocks[block]);

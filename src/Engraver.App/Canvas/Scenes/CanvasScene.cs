@@ -1,6 +1,7 @@
 using Engraver.App.Canvas.Colours;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Canvas.Scenes;
 
@@ -9,16 +10,20 @@ namespace Engraver.App.Canvas.Scenes;
 /// <remarks>Where entities cross, the order of drawing depends on their positions, not on their order in the drawing.</remarks>
 public sealed class CanvasScene
 {
-    private CanvasScene(Drawing drawing, EntityColours colours, PrimitiveStore store)
+    private CanvasScene(Drawing drawing, Drawing shown, EntityColours colours, PrimitiveStore store)
     {
-        Drawing = drawing;
+        (Drawing, Shown) = (drawing, shown);
         Colours = colours;
         Store = store;
         Points = drawing.Points.Count == 0 ? [] : [.. drawing.Points.Where(point => point.IsVisibleIn(drawing))];
         PointColours = Points.ToLookup(point => (point.Colour.Resolved(drawing.Layers[point.Layer].Colour, DrawingColour.Foreground), drawing.Layers[point.Layer].Locked), point => point.Plan);
     }
 
+    /// <summary>The drawing of the document.</summary>
     public Drawing Drawing { get; }
+
+    /// <summary>The drawing with the letters of its texts as curves, to which the entity indices of the scene refer.</summary>
+    public Drawing Shown { get; }
 
     public EntityColours Colours { get; }
 
@@ -40,7 +45,8 @@ public sealed class CanvasScene
     public static CanvasScene From(Drawing drawing, EntityColours? colours = null)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        var known = colours ?? EntityColours.From(drawing);
-        return new CanvasScene(drawing, known, DrawingPrimitives.Create(drawing, known));
+        var shown = ShownDrawing.Of(drawing);
+        var known = colours ?? EntityColours.From(shown);
+        return new CanvasScene(drawing, shown, known, DrawingPrimitives.Create(shown, known));
     }
 }

@@ -15,7 +15,7 @@ internal sealed class ArrayCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetAsync(context, takesTexts: true).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var type = await context.ChoiceAsync(Wording.Get("Array.EnterType"), Keyword.List("Rectangular", "POlar"), context.LastValue("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
@@ -24,7 +24,7 @@ internal sealed class ArrayCommand : ICommand
         foreach (var map in maps)
         {
             cancellation.ThrowIfCancellationRequested();
-            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopyOutOfRange"));
+            if (!DrawingEdit.TryCopy(edited, DrawingChange.CurvesOf(context.Drawing, selected), map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopyOutOfRange"));
         }
 
         DrawingChange.Commit(context, DrawingChange.AnnotationsOf(context, selected, takesLocked: true).Copied(edited, maps), selected);

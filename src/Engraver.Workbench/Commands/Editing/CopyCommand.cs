@@ -1,5 +1,7 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
@@ -12,7 +14,7 @@ internal sealed class CopyCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetAsync(context, takesTexts: true).ConfigureAwait(false);
         var (ghost, copies) = (new SelectionGhost(context.Drawing, selected), new CopyRun(context, selected));
         if (await DisplacementPrompts.BaseAsync(context).ConfigureAwait(false) is not { } from) copies.Add([await DisplacementPrompts.TypedAsync(context, ghost).ConfigureAwait(false)]);
         else await PlaceAsync(context, ghost, from, copies).ConfigureAwait(false);
@@ -63,21 +65,25 @@ internal sealed class CopyCommand : ICommand
     private sealed class CopyRun(CommandContext context, IReadOnlyList<int> selected)
     {
         private readonly UndoGroup _steps = new(context);
+        private readonly Drawing _before = context.Drawing;
 
         public int Count => _steps.Count;
 
         /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
         public void Add(IReadOnlyList<Vector2D> ways)
         {
-            var edited = DrawingChange.Copied(context, selected, [.. ways.Select(Transform2D.Move)], reports: Count == 0);
-            _steps.Commit(context.Document.Current with { Drawing = edited, Selection = [], Previous = selected });
-            context.HighlightPicked(selected);
+            var edited = DrawingChange.Copied(context, Shown(), [.. ways.Select(Transform2D.Move)], reports: Count == 0);
+            _steps.Commit(context.Document.Current with { Drawing = edited, Selection = [], Previous = Shown() });
+            context.HighlightPicked(Shown());
         }
 
         public void Undo()
         {
             if (!_steps.Undo()) context.WriteMessage(Wording.Get("Copy.NothingToUndo"));
-            context.HighlightPicked(selected);
+            context.HighlightPicked(Shown());
         }
+
+        /// <summary>The selected objects in the drawing with the copies made so far.</summary>
+        private IReadOnlyList<int> Shown() => DocumentState.Following(selected, _before, context.Drawing);
     }
 }

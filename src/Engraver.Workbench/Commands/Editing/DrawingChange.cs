@@ -12,11 +12,14 @@ internal static class DrawingChange
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Commit(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
 
+    /// <summary>Those of some objects that are curves of the drawing; the others are its texts.</summary>
+    public static IReadOnlyList<int> CurvesOf(Drawing drawing, IReadOnlyList<int> objects) => objects.Any(index => index >= drawing.Entities.Count) ? [.. objects.Where(index => index < drawing.Entities.Count)] : objects;
+
     /// <summary>Transforms the whole drawing including locked layers, because relative positions do not change.</summary>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void TransformAll(CommandContext context, Transform2D map)
     {
-        IReadOnlyList<int> all = [.. Enumerable.Range(0, context.Drawing.Entities.Count)];
+        IReadOnlyList<int> all = [.. Enumerable.Range(0, context.Drawing.Entities.Count + context.Drawing.Texts.Count)];
         Commit(context, Mapped(context, all, map, takesLocked: true), all);
     }
 
@@ -26,7 +29,7 @@ internal static class DrawingChange
     public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool takesLocked = false)
     {
         var drawing = context.Drawing;
-        if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
+        if (!DrawingEdit.TryTransform(drawing, CurvesOf(drawing, selected), map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
         return AnnotationsOf(context, selected, takesLocked: takesLocked).Moved(edited, map);
     }
 
@@ -38,7 +41,7 @@ internal static class DrawingChange
         var edited = context.Drawing;
         foreach (var map in maps)
         {
-            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
+            if (!DrawingEdit.TryCopy(edited, CurvesOf(context.Drawing, selected), map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
         }
 
         return AnnotationsOf(context, selected, reports, takesLocked: true).Copied(edited, maps);
@@ -50,7 +53,7 @@ internal static class DrawingChange
     {
         var gone = erased.Distinct().Order().ToList();
         var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - CountBelow(gone, index));
-        var erasedFrom = DrawingEdit.Erase(context.Drawing, gone);
+        var erasedFrom = DrawingEdit.Erase(context.Drawing, CurvesOf(context.Drawing, gone));
         var left = asDoubles ? erasedFrom : AnnotationsOf(context, gone).Without(erasedFrom);
         Commit(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
@@ -61,16 +64,16 @@ internal static class DrawingChange
         Commit(context, rebuilt.Finish(), previous, rebuilt.NewIndices(context.Document.Current.HiddenObjects), previous, change);
 
     /// <summary>For an edit that keeps the indices of all objects.</summary>
-    /// <param name="previous">The edited objects, indices in the edited drawing.</param>
-    public static void Commit(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Commit(context, edited, previous, context.Document.Current.HiddenObjects, []);
+    /// <param name="previous">The edited objects, indices before the edit.</param>
+    public static void Commit(CommandContext context, Drawing edited, IReadOnlyList<int> previous) =>
+        Commit(context, edited, DocumentState.Following(previous, context.Drawing, edited), context.Document.Current.HiddenObjects, []);
 
-    /// <summary>The texts and points that move with these curves; reports how many do not.</summary>
+    /// <summary>The selected texts, and the texts and points that move with these objects; reports how many points do not.</summary>
     /// <param name="reports">False if this was already reported.</param>
     /// <param name="takesLocked">Also those on locked layers.</param>
     public static EditedAnnotations AnnotationsOf(CommandContext context, IReadOnlyList<int> selected, bool reports = true, bool takesLocked = false)
     {
-        var along = EditedAnnotations.ForCurves(context.Drawing, selected, takesLocked);
-        if (reports && along.UnmovedTexts > 0) context.WriteMessage(Wording.Get("DrawingChange.TextsUnchanged", CountText.Format(along.UnmovedTexts, "Text")));
+        var along = EditedAnnotations.For(context.Drawing, selected, takesLocked);
         if (reports && along.UnmovedPoints > 0) context.WriteMessage(Wording.Get("DrawingChange.PointsUnchanged", CountText.Format(along.UnmovedPoints, "PointObject")));
         return along;
     }

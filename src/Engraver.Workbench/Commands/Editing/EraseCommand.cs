@@ -7,7 +7,7 @@ internal sealed class EraseCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         DrawingChange.Erase(context, selected);
     }
 }

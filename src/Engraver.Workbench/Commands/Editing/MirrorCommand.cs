@@ -10,7 +10,7 @@ internal sealed class MirrorCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var first = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifyFirstPoint"))).ConfigureAwait(false);
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifySecondPoint")) { From = first, Ghost = place => place == first ? [] : ghost.Mapped(Transform2D.MirrorAt(first, place)) }).ConfigureAwait(false);

@@ -9,7 +9,7 @@ internal sealed class MoveCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         DrawingChange.Transform(context, selected, Transform2D.Move(await DisplacementPrompts.AskAsync(context, new SelectionGhost(context.Drawing, selected)).ConfigureAwait(false)), copy: false);
     }
 }

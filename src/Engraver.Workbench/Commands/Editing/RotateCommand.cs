@@ -12,7 +12,7 @@ internal sealed class RotateCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
         var amount = await ReferencePrompts.AskAsync(context, Degrees(Wording.Get("Rotate.SpecifyRotationAngle"), context.LastValue("ROTATE", "0"), basePoint), Degrees(Wording.Get("Rotate.SpecifyReferenceAngle"), "0", null), Degrees(Wording.Get("Rotate.SpecifyNewAngle"), null, basePoint), Turned).ConfigureAwait(false);

@@ -13,7 +13,7 @@ internal sealed class ScaleCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
         var amount = await ReferencePrompts.AskAsync(context, Length(Wording.Get("Scale.SpecifyScaleFactor"), context.LastValue("SCALE", "1"), basePoint), Length(Wording.Get("Scale.SpecifyReferenceLength"), "1", null), Length(Wording.Get("Scale.SpecifyNewLength"), null, basePoint), Scaled).ConfigureAwait(false);

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Editing;
 
@@ -15,8 +16,8 @@ internal sealed class SelectionGhost
 
     public SelectionGhost(Drawing drawing, IReadOnlyList<int> selected)
     {
-        _box = new Lazy<Segment[]>(() => BoxOf(drawing, selected));
-        _shown = new Lazy<Segment[]>(() => Sample(drawing, selected));
+        _box = new Lazy<Segment[]>(() => BoxOf(ShownDrawing.Of(drawing), selected));
+        _shown = new Lazy<Segment[]>(() => Sample(ShownDrawing.Of(drawing), selected));
     }
 
     /// <summary>The transformed objects.</summary>

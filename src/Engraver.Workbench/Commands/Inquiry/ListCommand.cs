@@ -1,3 +1,4 @@
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;
@@ -9,8 +10,7 @@ internal sealed class ListCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var drawing = context.Drawing;
-        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
-        context.WriteResult(output => EntityText.Write(drawing, selected, context.Precision, output));
+        var selected = await ObjectSelection.GetAsync(context, takesTexts: true).ConfigureAwait(false);
+        context.WriteResult(output => EntityText.Write(ShownDrawing.Of(context.Drawing), selected, context.Precision, output));
     }
 }

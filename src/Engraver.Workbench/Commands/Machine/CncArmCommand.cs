@@ -63,7 +63,7 @@ internal sealed class CncArmCommand : ICommand
     /// <summary>The job that was derived already when it is of the same strategy; otherwise one that is prepared on another thread.</summary>
     private static async Task<PreparedJob> JobAsync(CommandContext context, ExecutionStrategy strategy, CancellationToken cancellation)
     {
-        if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Strategy == strategy && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
+        if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Strategy == strategy && ReferenceEquals(derived.Source, context.Drawing)) return derived;
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, strategy.Style, cancellation), cancellation).ConfigureAwait(false);
     }

@@ -43,7 +43,7 @@ internal sealed class MatchPropertiesCommand : ICommand
 
     private static async Task<int> SourceAsync(CommandContext context)
     {
-        if (context.Document.Current.Selection is [var only]) return only;
+        if (context.Document.Current.Selection is [var only] && only < context.Drawing.Entities.Count) return only;
         return (await ObjectSelection.PickOneAsync(context, Wording.Get("MatchProp.SelectSource")).ConfigureAwait(false)).Entity;
     }
 

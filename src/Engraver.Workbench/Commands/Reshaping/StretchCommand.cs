@@ -29,7 +29,7 @@ internal sealed class StretchCommand : ICommand
     /// completely.</summary>
     private static async Task<StretchSelection> SelectAsync(CommandContext context)
     {
-        var stretch = new StretchSelection(ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));
+        var stretch = new StretchSelection(ObjectSelection.WithoutLocked(context, ObjectSelection.CurvesOf(context, context.Document.Current.Selection)));
         var prompt = new PointPrompt(Wording.Get("ObjectSelection.SelectObjects")) { Options = Keyword.List("Crossing", "Undo"), EnterEnds = true, Purpose = PointPurpose.Object };
         while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.EndOfList)
         {

@@ -45,7 +45,7 @@ internal sealed class TrimCommand : ICommand
     /// <summary>The cutting or boundary edges: the previous selection, otherwise prompts for it; an empty selection means all.</summary>
     private async Task<ReshapeEdges> EdgesAsync(CommandContext context)
     {
-        var before = context.Document.Current.Selection;
+        var before = ObjectSelection.CurvesOf(context, context.Document.Current.Selection);
         if (before.Count > 0) context.WriteMessage(Wording.Get("ObjectSelection.Found", before.Count));
         var selected = before.Count > 0 ? before : await ObjectSelection.PickAsync(context, Wording.Get(_extends ? "Extend.SelectEdges" : "Trim.SelectEdges")).ConfigureAwait(false);
         return new ReshapeEdges(selected.Count == 0 ? null : selected) { AreLengthened = context.LastValue(ReshapeEdges.Mode) == "Extend" };

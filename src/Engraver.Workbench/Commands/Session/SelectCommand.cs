@@ -7,7 +7,7 @@ internal sealed class SelectCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.PickAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.PickAsync(context, takesTexts: true).ConfigureAwait(false);
         context.Document.Select(selected, selected);
     }
 }

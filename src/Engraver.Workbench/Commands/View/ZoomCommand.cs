@@ -49,7 +49,7 @@ internal sealed class ZoomCommand : ICommand
 
     private static async Task ObjectAsync(CommandContext context)
     {
-        var selected = await ObjectSelection.GetAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetAsync(context, takesTexts: true).ConfigureAwait(false);
         context.View.ZoomObjects(context.Drawing, selected);
     }
 

@@ -17,6 +17,9 @@ internal static class JournalSettings
     /// <summary>Fields of the profile that do not affect the cut.</summary>
     private static readonly FrozenSet<string> s_ignoredFields = FrozenSet.Create(StringComparer.Ordinal, "costPerHour", "costPerMetre", "costPerStart", "inputs", "outputs", "jogMmPerMinute", "travelX", "travelY", "travelZ");
 
+    /// <summary>Key of the plate, which is not a setting.</summary>
+    public const string PlateKey = "plate";
+
     /// <summary>Values by the keys of docs/settings.md and the fields of docs/machine-profile.md; the font that is cut by <c>font NAME</c>.</summary>
     public static IReadOnlyDictionary<string, string> Of(PreparedJob job)
     {
@@ -29,6 +32,7 @@ internal static class JournalSettings
             if (field.Value.ValueKind != JsonValueKind.Null && !s_ignoredFields.Contains(field.Name)) words[field.Name] = string.Concat(field.Value.ToString().Where(letter => !char.IsWhiteSpace(letter)));
         }
 
+        if (job.Plate is { } plate) words[PlateKey] = plate.ToJson();
         foreach (var font in job.Fonts) words[Font + font.Requested] = $"{font.Font} ({font.Match}, SHA-256 {font.Sha256})";
         return words;
     }
