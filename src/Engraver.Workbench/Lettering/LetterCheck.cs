@@ -126,12 +126,20 @@ internal sealed class LetterCheck
     private void CompareRest(double maxError)
     {
         var rest = Enumerable.Range(0, _isFound.Length).Where(i => !_isFound[i]).Select(i => _curves.Parts[i]).ToList();
-        if (rest.Count == 0 && HasArea(maxError)) Note(double.PositiveInfinity, _united[0](0.0));
+        if (rest.Count == 0 && HasArea(maxError) && !Reaches(maxError)) Note(double.PositiveInfinity, _united[0](0.0));
         foreach (var point in rest.SelectMany(part => s_fractions.Select(fraction => Of(part, fraction))))
         {
             var distance = _united.Select(curve => CurveDistance.Of(point, curve)).DefaultIfEmpty(double.PositiveInfinity).Min();
             if (!(distance <= maxError + _allowed)) Note(distance, point);
         }
+    }
+
+    /// <summary>True if what is cut reaches as far as the united outlines: they may be inside another one.</summary>
+    private bool Reaches(double maxError)
+    {
+        var cut = _curves.Parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.IsFreeCurve ? _curves.Curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
+        var error = maxError + _allowed;
+        return _united.SelectMany(curve => s_fractions.Select(curve)).All(point => point.X >= cut.MinX - error && point.X <= cut.MaxX + error && point.Y >= cut.MinY - error && point.Y <= cut.MaxY + error);
     }
 
     /// <summary>Outlines that are narrower than the error on average enclose nothing: no part is left of them.</summary>
