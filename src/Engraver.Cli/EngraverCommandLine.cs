@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Verbs;
 using Engraver.Cli.Verbs.Hand;
 using Engraver.Cli.Verbs.Jobs;
+using Engraver.Cli.Verbs.Plates;
 using Engraver.Cli.Verbs.Profiles;
 using Engraver.Cli.Verbs.Sending;
 
@@ -34,6 +35,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(ReportVerb.Build(host));
         root.Subcommands.Add(HistoryVerb.Build(host));
         root.Subcommands.Add(ReplayVerb.Build(host));
+        root.Subcommands.Add(CountersVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
         root.Subcommands.Add(JogVerb.Build(host));

@@ -15,6 +15,7 @@ public interface ITextFont
     bool Contains(int codePoint);
 
     /// <returns>Null if the font has no such character.</returns>
+    /// <exception cref="BrokenFontException">The font file has impossible content for this character.</exception>
     GlyphCurves? GlyphOf(int codePoint);
 
     /// <summary>Font units to add to the advance of the left character when the right one follows it; 0 if the font has none for the pair.</summary>

@@ -20,6 +20,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(DiscoverJson))]
 [JsonSerializable(typeof(CertificateCheckJson))]
 [JsonSerializable(typeof(HistoryListJson))]
+[JsonSerializable(typeof(CounterListJson))]
 [JsonSerializable(typeof(ReplayJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {

@@ -1,3 +1,5 @@
+using Engraver.Workbench.LetteredDrawings;
+
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver plan --json</c> prints; names, units and meanings are the runner's contract. Null: the machine cannot cut the drawing.</summary>
@@ -9,6 +11,7 @@ namespace Engraver.Cli.Output;
 /// <param name="Cost">From the given rates; null without rates.</param>
 /// <param name="CostParts">Cost by item; null without rates.</param>
 /// <param name="Uncut">Positions of the drawing that a tool of this diameter cannot reach, the largest first; empty without --kerf.</param>
+/// <param name="Fonts">Of the texts that are cut; empty if none is.</param>
 internal sealed record PlanJson(
     PlanJson.PlanSecondsJson? Seconds,
     double CutLength,
@@ -18,8 +21,12 @@ internal sealed record PlanJson(
     double? Cost,
     IReadOnlyDictionary<string, int> NotCut,
     PlanJson.PlanCostJson? CostParts,
-    IReadOnlyList<PlanJson.PlanUncutJson> Uncut)
+    IReadOnlyList<PlanJson.PlanUncutJson> Uncut,
+    IReadOnlyList<CutFont> Fonts)
 {
+    /// <summary>The plates that would be engraved, of which the other values describe the first; null for a drawing without plates.</summary>
+    public IReadOnlyList<PlateReportJson>? Plates { get; init; }
+
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
 
     /// <param name="Distance">From the drawn line to the area that the tool reaches, mm.</param>

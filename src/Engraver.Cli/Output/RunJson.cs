@@ -1,4 +1,5 @@
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output;
 
@@ -60,8 +61,17 @@ internal sealed record RunJson
     /// <summary>Maximum allowed distance from the drawing, mm; null for a run that did not start.</summary>
     public double? Tolerance { get; init; }
 
+    /// <summary>The fonts of the texts that are cut; empty if none is.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
     /// <summary>The executed trajectories; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }
+
+    /// <summary>The values of the texts of the plate that was run; null without any. Of a series the last one.</summary>
+    public PlateReportJson? Plate { get; init; }
+
+    /// <summary>The plates of a series that were run; null for a run that is not a series.</summary>
+    public IReadOnlyList<PlateReportJson>? Plates { get; init; }
 
     /// <summary>Where a resumed run continued.</summary>
     /// <param name="Segments">Completed segments of the whole program.</param>

@@ -37,6 +37,7 @@ internal static class RunReport
         OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())],
         MaxFollowingError = report.Judgement.FollowingMm,
         Tolerance = report.ToleranceMm,
+        Fonts = job.Fonts,
     };
 
     /// <summary>A run that did not reach the machine: nothing was sent.</summary>
@@ -60,6 +61,7 @@ internal static class RunReport
         Journal = null,
         LeftOut = job is null ? null : LeftOut(job),
         NotCut = job?.NotCut.Counts,
+        Fonts = job?.Fonts ?? [],
         Origin = null,
         FinalZ = null,
         Holds = 0,

@@ -1,11 +1,15 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Cli.Verbs.Plates;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.SerialTexts;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -19,24 +23,47 @@ internal static class PlanVerb
         var connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
         var mode = ModeOption.New();
         var rate = RateOption.New();
+        var plates = new SeriesOptions();
         var sheet = new Option<bool>("--sheet") { Description = Wording.Get("Plan.Sheet") };
         var command = new Command("plan", Wording.Get("Plan.Summary"));
         drawing.AddTo(command);
+        plates.AddTo(command);
         foreach (var option in (Option[])[json, connect, mode, rate, sheet]) command.Options.Add(option);
-        command.SetAction((parsed, stop) =>
+        command.SetAction(async (parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Strategy(parsed, mode, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var job = JobPreparation.Prepare(read, settings, strategy.Style);
+            var (series, missing) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
+            var job = series is null ? JobPreparation.Prepare(read, settings, strategy.Style) : PlateJob.Prepare(read, settings, strategy.Style, series.Plates[0]);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
             var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
+            if (series is not null) plan = plan with { Plates = [.. series.Plates.Select(PlateReportJson.From)] };
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else if (parsed.GetValue(sheet) && times is { } known) JobSheet.Of(job, known, rates).Write(host.Out);
             else PlanReport.Text(host.Out, plan);
-            return Task.FromResult(host.Report(parsed, read.FileName, [.. job.Diagnostics, .. findings]));
+            if (!parsed.GetValue(json)) series?.Write(host.Out);
+            return Math.Max(missing, host.Report(parsed, read.FileName, [.. job.Diagnostics.Where(found => series?.Findings.Any(known => known.Message == found.Message) != true), .. findings]));
         });
         return command;
+    }
+
+    /// <returns>Null for a drawing without fields, and where the values are not complete; the exit code for the findings about them.</returns>
+    private static async Task<(SeriesPlan? Series, int Code)> SeriesAsync(VerbHost host, ParseResult parsed, SeriesOptions options, Drawing drawing, DrawingSettings settings, CancellationToken stop)
+    {
+        var fields = JobPreparation.FieldsOf(drawing, settings);
+        if (!fields.Any && options.Requested(parsed) is null) return (null, ExitCode.Done);
+        try
+        {
+            var (series, findings) = await SeriesPlan.ReadAsync(host, parsed, options, fields, isDryRun: true, null, stop).ConfigureAwait(false);
+            var code = host.Report(parsed, options.CsvFile(parsed) ?? drawing.FileName, findings);
+            if (series is null) return (null, code);
+            return (series, Math.Max(code, host.Report(parsed, drawing.FileName, series.Findings)));
+        }
+        catch (CounterException refused) when (refused.Finding is { } finding)
+        {
+            return (null, host.Report(parsed, drawing.FileName, [finding]));
+        }
     }
 
     private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)

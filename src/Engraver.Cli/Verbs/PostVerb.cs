@@ -21,12 +21,14 @@ internal static class PostVerb
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.Output") };
         var json = JsonOption.New();
+        var values = ValuesOption.New();
         var choices = PostTable.Options.Select(Choice).ToList();
         var command = new Command("post", Wording.Get("Post.Summary"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);
         command.Options.Add(json);
+        command.Options.Add(values);
         foreach (var choice in choices) command.Options.Add(choice);
         command.Validators.Add(result => CheckChoices(result, target, choices));
         command.SetAction((parsed, stop) =>
@@ -35,7 +37,7 @@ internal static class PostVerb
             VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
-            var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);
+            var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen, ValuesOption.Read(parsed.GetValue(values)));
             Write(host, parsed, posted, PostTable.Find(parsed.GetRequiredValue(target)).Post.Name, parsed.GetValue(output), parsed.GetValue(json));
             if (posted.Text is not null) host.Remember(HistoryEntry.OfPost(read, settings, parsed.GetRequiredValue(target), chosen, parsed.GetValue(output), TimeProvider.System.GetUtcNow()));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));

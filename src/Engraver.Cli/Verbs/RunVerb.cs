@@ -3,7 +3,9 @@ using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Cli.Terminals;
+using Engraver.Cli.Verbs.Plates;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
@@ -17,6 +19,7 @@ using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
@@ -37,6 +40,7 @@ internal sealed class RunVerb
     private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = Wording.Get("Run.Journal") };
     private readonly Option<bool> _dryRun = new("--dry-run") { Description = Wording.Get("Run.DryRun") };
     private readonly PlacementOptions _placement = new();
+    private readonly SeriesOptions _series = new();
     private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.Trace") };
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.AcceptErrors") };
 
@@ -47,7 +51,18 @@ internal sealed class RunVerb
     /// <summary>Settings for the <c>--json</c> object of a run that did not start, as far as they are known.</summary>
     private DrawingSettings _settings = new();
     private PreparedJob? _job;
-    private bool _isReported;
+    private RunJson? _report;
+    private bool _isPrinted;
+
+    /// <summary>Journal of the last run; null if that run did not start.</summary>
+    private string? _startedJournal;
+
+    /// <summary>The run is one of several plates, which have been run so far.</summary>
+    private bool _isSeries;
+    private readonly List<PlateReportJson> _plates = [];
+
+    /// <summary>Findings of the drawing are the same on every plate.</summary>
+    private readonly HashSet<(SourceRef Source, string Message)> _reported = [];
 
     /// <summary>The trajectories to run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
@@ -61,6 +76,7 @@ internal sealed class RunVerb
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory]) command.Options.Add(option);
         verb._placement.AddTo(command);
+        verb._series.AddTo(command);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -78,11 +94,14 @@ internal sealed class RunVerb
     {
         try
         {
-            return await RunJobAsync(parsed, stop).ConfigureAwait(false);
+            var code = await RunJobAsync(parsed, stop).ConfigureAwait(false);
+            if (parsed.GetValue(_json)) Print(_report!);
+            return code;
         }
-        catch (Exception ended) when (parsed.GetValue(_json) && !_isReported)
+        catch (Exception ended) when (parsed.GetValue(_json) && !_isPrinted)
         {
-            await ReportNotStartedAsync(ended switch { MachineUnavailableException => JobOutcome.Refused, ControllerException => JobOutcome.LinkLost, OperationCanceledException => JobOutcome.Stopped, _ => JobOutcome.Refused }).ConfigureAwait(false);
+            Print(RunReport.NotStarted(_settings, _job, ended switch { MachineUnavailableException => JobOutcome.Refused, ControllerException => JobOutcome.LinkLost, OperationCanceledException => JobOutcome.Stopped, _ => JobOutcome.Refused }));
+            await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
             throw;
         }
     }
@@ -92,37 +111,95 @@ internal sealed class RunVerb
         var settings = _settings = _drawing.Settings(parsed);
         var strategy = ModeOption.Strategy(parsed, _mode, settings);
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
-        var (job, fit) = await PrepareAsync(parsed, settings, strategy, stop).ConfigureAwait(false);
-        if (!parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory) && await TextQuestion.AskAsync(_host, job, stop).ConfigureAwait(false) is { } engraving)
-        {
-            (job, fit) = await PrepareAsync(parsed, _settings = engraving, strategy, stop).ConfigureAwait(false);
-        }
+        if (parsed.GetValue(_trajectory) && _series.Requested(parsed) is { } several) throw new UsageException(Wording.Get("Series.NotWithTrajectory", several));
+        var file = _drawing.File(parsed);
+        var drawing = await StoppableVerb.ComputeAsync(() => DrawingFile.Open(file, settings, stop), stop).ConfigureAwait(false);
+        var mayAsk = !parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory);
+        if (mayAsk && await TextQuestion.AskAsync(_host, drawing, settings, stop).ConfigureAwait(false) is { } engraving) settings = _settings = engraving;
+        var fields = parsed.GetValue(_trajectory) ? PlateFields.Of([]) : JobPreparation.FieldsOf(drawing, settings);
+        if (fields.Any || _series.Requested(parsed) is not null) return await RunSeriesAsync(parsed, drawing, settings, strategy, fields, stop).ConfigureAwait(false);
+        var (machine, findings) = await RunPlateAsync(parsed, drawing, settings, strategy, null, stop).ConfigureAwait(false);
 
+        // Accepted errors still count as errors: the job was done as far as possible (docs/pipeline.md).
+        return machine == ExitCode.Done ? findings : machine;
+    }
+
+    /// <summary>Runs the plates one after the other; ends at the first that is not complete.</summary>
+    private async Task<int> RunSeriesAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, PlateFields fields, CancellationToken stop)
+    {
+        try
+        {
+            var (plan, findings) = await SeriesPlan.ReadAsync(_host, parsed, _series, fields, parsed.GetValue(_dryRun), parsed.GetValue(_resume), stop).ConfigureAwait(false);
+            var code = _host.Report(parsed, _series.CsvFile(parsed) ?? drawing.FileName, findings);
+            if (plan is null || code != ExitCode.Done) return ReportNotStarted(null, Wording.Get("Series.NotReady"));
+            RejectForSeveral(parsed, plan);
+            code = _host.Report(parsed, drawing.FileName, plan.Findings);
+            if (code != ExitCode.Done) return ReportNotStarted(null, Wording.Get("Series.NotReady"));
+            if (!_host.Quiet(parsed) && plan.Count > 1) plan.Write(_host.Error);
+            _isSeries = plan.Count > 1;
+            for (var index = plan.First; index < plan.End; index++)
+            {
+                if (index > plan.First && plan.Series.StartsBlank(index) && !await plan.AskForBlankAsync(_host, index, stop).ConfigureAwait(false))
+                {
+                    Keep(RunReport.NotStarted(settings, null, JobOutcome.Stopped), null);
+                    return ExitCode.StoppedByOperator;
+                }
+
+                using var turn = plan.Turn(index);
+                var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
+                code = Math.Max(code, errors);
+                if (machine == ExitCode.Done) continue;
+                if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
+                return machine;
+            }
+
+            return code;
+        }
+        catch (CounterException refused) when (refused.Finding is { } finding)
+        {
+            _host.Report(parsed, drawing.FileName, [finding]);
+            ReportNotStarted(null, Wording.Get("Series.NotReady"));
+            return ExitCode.Usage;
+        }
+    }
+
+    /// <exception cref="UsageException">An option that means one run only.</exception>
+    private void RejectForSeveral(ParseResult parsed, SeriesPlan plan)
+    {
+        if (plan.Count == 1) return;
+        if (parsed.GetValue(_journal) is not null || parsed.GetValue(_trace) is not null) throw new UsageException(Wording.Get("Series.OneFile", parsed.GetValue(_journal) is null ? _trace.Name : _journal.Name));
+        if (_placement.Origin(parsed) is OriginRequest.PresentPosition) throw new UsageException(Wording.Get("Series.NotHere"));
+    }
+
+    /// <param name="turn">Null for a job without plates.</param>
+    /// <returns>The exit code of the run, and that of the findings of the drawing.</returns>
+    private async Task<(int Machine, int Findings)> RunPlateAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, PlateTurn? turn, CancellationToken stop)
+    {
+        _startedJournal = null;
+        var (job, fit) = await PrepareAsync(parsed, drawing, settings, strategy, turn?.Plate, stop).ConfigureAwait(false);
         _job = job;
-        var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
+        var code = _host.Report(parsed, job.Drawing.FileName, [.. job.Diagnostics.Where(found => _reported.Add((found.Source, found.Message)))]);
+        if (job.Diagnostics.Any(found => found.Severity == Severity.Error)) code = ExitCode.DrawingError;
         if (_followed is { } followed && !parsed.GetValue(_json)) _host.Out.WriteLine(Wording.Get("Run.Trajectories", followed.Trajectories.Count, followed.Trajectories.Sum(one => one.Curve.Points), followed.Bound));
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return ReportNotStarted(parsed, job, NotStartedReason(job));
+            return (ReportNotStarted(job, NotStartedReason(job)), code);
         }
 
-        if (fit is null || program.SegmentCount == 0) return ReportNotStarted(parsed, job, job.NoProgramReason);
-        var ended = await RunOnMachineAsync(parsed, job, fit, strategy, stop).ConfigureAwait(false);
-
-        // Accepted errors still count as errors: the job was done as far as possible (docs/pipeline.md).
-        return ended == ExitCode.Done ? code : ended;
+        if (fit is null || program.SegmentCount == 0) return (ReportNotStarted(job, job.NoProgramReason), code);
+        return (await RunOnMachineAsync(parsed, job, fit, strategy, turn, stop).ConfigureAwait(false), code);
     }
 
     /// <summary>Computes everything up to the machine; a stop does not wait for it.</summary>
     /// <returns>The program with feeds limited to the link; null when there is none.</returns>
-    private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, ExecutionStrategy strategy, CancellationToken stop)
+    private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, Plate? plate, CancellationToken stop)
     {
-        var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
+        var address = parsed.GetRequiredValue(_connect)!;
         return await StoppableVerb.ComputeAsync(
             () =>
             {
-                var (drawing, style) = (DrawingFile.Open(file, settings, stop), strategy.Style);
-                var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : JobPreparation.Prepare(drawing, settings, style);
+                var style = strategy.Style;
+                var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : plate is null ? JobPreparation.Prepare(drawing, settings, style) : PlateJob.Prepare(drawing, settings, style, plate);
                 return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, strategy, job.Drawing) : null);
             },
             stop).ConfigureAwait(false);
@@ -137,13 +214,7 @@ internal sealed class RunVerb
 
     private PreparedJob Follow(TrajectoryJob followed) => (_followed = followed).Job;
 
-    private async Task ReportNotStartedAsync(JobOutcome outcome)
-    {
-        Write(RunReport.NotStarted(_settings, _job, outcome));
-        await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
-    }
-
-    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, ExecutionStrategy strategy, CancellationToken stop)
+    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, ExecutionStrategy strategy, PlateTurn? turn, CancellationToken stop)
     {
         var control = new JobControl();
         ArmingChecklist? checks = null;
@@ -151,7 +222,7 @@ internal sealed class RunVerb
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, strategy)
         {
             Control = control,
-            Resume = parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.RequestsWorkOrigin(parsed) } : null,
+            Resume = turn is not { IsResumed: false } && parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.RequestsWorkOrigin(parsed) } : null,
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
@@ -167,6 +238,7 @@ internal sealed class RunVerb
             },
             FindingReported = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
+        if (turn is not null) options = options with { Starting = token => turn.StartAsync(job.Drawing.FileName, options.JournalPath, token) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
@@ -186,6 +258,8 @@ internal sealed class RunVerb
             throw;
         }
 
+        _startedJournal = report.Result.FrameOrigin is null ? null : options.JournalPath;
+        if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
         open.End(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
         return Finish(parsed, job, report, options.JournalPath, checks);
     }
@@ -219,31 +293,41 @@ internal sealed class RunVerb
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (report.ResumeRefusal is { } unresumed) return ReportNotPlaced(parsed, job, unresumed, checks);
         if (report.Placement?.Refusal is { } unplaced) return ReportNotPlaced(parsed, job, unplaced, checks);
-        if (parsed.GetValue(_json)) Write(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) });
-        else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
+        Keep(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) }, job);
+        if (report.StartRefusal is { } unstarted) _host.Report(parsed, job.Drawing.FileName, [unstarted]);
+        if (report.StartRefusal is not null) return ExitCode.Usage;
+        if (!parsed.GetValue(_json)) _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Message}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.TraceIncomplete", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(report.Result.Outcome);
     }
 
-    private void Write(RunJson report)
+    /// <summary>Keeps the object of <c>--json</c>, which is printed at the end.</summary>
+    private void Keep(RunJson report, PreparedJob? job)
     {
-        _isReported = true;
-        ContractJson.Write(_host.Out, report, ContractJson.Default.RunJson);
+        _report = job?.Plate is { } plate ? report with { Plate = PlateReportJson.From(plate) } : report;
+        if (job?.Plate is { } run) _plates.Add(PlateReportJson.From(run, report));
+    }
+
+    private void Print(RunJson report)
+    {
+        _isPrinted = true;
+        ContractJson.Write(_host.Out, _isSeries ? report with { Plates = _plates } : report, ContractJson.Default.RunJson);
     }
 
     /// <summary>The work origin is unknown: nothing was moved.</summary>
     private int ReportNotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
-        if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks));
+        Keep(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks), job);
         return s_machineRules.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
     }
 
-    private int ReportNotStarted(ParseResult parsed, PreparedJob job, string why)
+    /// <param name="job">Null where none was prepared.</param>
+    private int ReportNotStarted(PreparedJob? job, string why)
     {
-        if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused));
+        Keep(RunReport.NotStarted(job?.Settings ?? _settings, job, JobOutcome.Refused), job);
         _host.Error.WriteLine(Wording.Get("Run.NotStarted", why));
         return ExitCode.DrawingError;
     }

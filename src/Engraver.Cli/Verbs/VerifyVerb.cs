@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Posts;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
@@ -21,6 +22,7 @@ internal sealed class VerifyVerb
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
     private readonly PostParameterOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
+    private readonly Option<string?> _values = ValuesOption.New();
     private readonly DrawingOptions _drawing = new();
 
     private VerifyVerb(VerbHost host)
@@ -35,7 +37,7 @@ internal sealed class VerifyVerb
         var verb = new VerifyVerb(host);
         var command = new Command("verify", Wording.Get("Verify.Summary"));
         command.Arguments.Add(verb._program);
-        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json, verb._values]) command.Options.Add(option);
         verb._posted.AddTo(command, verb.Target);
         verb._drawing.AddOptionsTo(command);
         command.Validators.Add(verb.CheckDialect);
@@ -51,9 +53,10 @@ internal sealed class VerifyVerb
         var (target, dialect) = parsed.GetValue(_target) is { } named ? (named, parsed.GetValue(_dialect)) : Found(file, parsed.GetValue(_dialect));
         var (program, reader) = ReadBack(file, target, dialect);
         if (parsed.GetValue(_target) is null && ProgramFormatDetector.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
-        var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file) };
+        var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file), Values = ValuesOption.Read(parsed.GetValue(_values)) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await ProgressBar.OfVerificationAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
+        report = CertifiedFonts.Compare(report, drawing, settings, target, dialect);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);

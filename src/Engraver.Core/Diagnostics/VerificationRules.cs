@@ -40,7 +40,11 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule ToolpathExtra = new("VER0022", Severity.Error, "length", "x", "y");
 
+    public static readonly DiagnosticRule LettersMisplaced = new("VER0023", Severity.Error, "text", "distance", "x", "y");
+
+    public static readonly DiagnosticRule FontsChanged = new("VER0024", Severity.Error, "fonts", "certificate");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, BlendsTooFar, BlendsWithoutBound, OtherThanAsked, CutTwice, OtherPace, ToolpathBeside, ToolpathMissing, ToolpathExtra];
+        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, BlendsTooFar, BlendsWithoutBound, OtherThanAsked, CutTwice, OtherPace, ToolpathBeside, ToolpathMissing, ToolpathExtra, LettersMisplaced, FontsChanged];
 }

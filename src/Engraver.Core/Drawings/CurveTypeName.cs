@@ -2,9 +2,12 @@ using System.Diagnostics;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>The DXF spelling of a curve type.</summary>
+/// <summary>The DXF spelling of a curve type, and which of them are letters.</summary>
 public static class CurveTypeName
 {
+    /// <summary>True for the letters of a text: the ends of their strokes are ends as written, not gaps.</summary>
+    public static bool IsLetters(this CurveType type) => type is CurveType.Text or CurveType.MText or CurveType.Attribute;
+
     /// <summary>"LINE", "LWPOLYLINE" ...</summary>
     public static string ToDxfName(this CurveType type) => type switch
     {

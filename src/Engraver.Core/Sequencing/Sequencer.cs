@@ -48,18 +48,12 @@ public static class Sequencer
             (segments, ends) = (kept.ToSegments(), null);
         }
 
-        var chain = ContourChainer.Chain(segments, ends ?? new SegmentEnds(segments, options.JoinTolerance), options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance));
-        if (IsLettered(drawing)) chain = chain with { Discontinuities = chain.Discontinuities.Without(row => IsText(drawing!, kept.EntityIndexOf(row))) };
+        var chain = ContourChainer.Chain(segments, ends ?? new SegmentEnds(segments, options.JoinTolerance), options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance), LettersOf(kept, drawing));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
         findings.SumUp();
         return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics) { DuplicatesRemoved = duplicates };
     }
-
-    /// <summary>True if letters follow the curves of the drawing: their strokes end where the font ends them.</summary>
-    private static bool IsLettered(Drawing? drawing) => drawing is { Entities.Count: > 0 and var count } && IsText(drawing, count - 1);
-
-    private static bool IsText(Drawing drawing, int entity) => drawing.Entities[entity].Type is CurveType.Text or CurveType.MText or CurveType.Attribute;
 
     /// <summary>Puts the contours in order, reverses and rotates them, and writes the sequenced table.</summary>
     public static SequencingResult Order(ChainedTable chained, SequencingOptions options)
@@ -84,6 +78,8 @@ public static class Sequencer
             Diagnostics = findings.Diagnostics,
         };
     }
+
+    private static Predicate<int>? LettersOf(EntityTable table, Drawing? drawing) => drawing is null ? null : row => drawing.Entities[table.EntityIndexOf(row)].Type.IsLetters();
 
     private static IReadOnlyList<StrokeEntry> Entries(ChainedTable chained, SequencingOptions options, SequencingFindings findings)
     {

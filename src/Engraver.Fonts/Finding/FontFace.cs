@@ -29,7 +29,7 @@ internal sealed record FontFace(string Path, int Index, FontNames Names, FaceSty
 
     public bool Has(FontRequest request) => Style.IsBold == request.IsBold && Style.IsItalic == request.IsItalic;
 
-    /// <summary>0 if the family is that of its four usual styles, 1 for the family of all weights and widths, 2 for the full name; null for another family.</summary>
+    /// <summary>0 for the family of at most four styles, 1 for that of all weights and widths, 2 for the full name; null for another family.</summary>
     public int? RankOf(string family) => Is(Names.StyleFamily, family) ? 0 : Is(Names.Family, family) ? 1 : Is(Names.Full, family) ? 2 : null;
 
     private static bool Is(string name, string other) => string.Equals(name, other, StringComparison.OrdinalIgnoreCase);

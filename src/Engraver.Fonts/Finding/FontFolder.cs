@@ -2,7 +2,8 @@ using Engraver.Fonts.OpenType;
 
 namespace Engraver.Fonts.Finding;
 
-/// <summary>The font files of one folder. Names are listed when a font is first searched in it, tables of names are read when a family is first searched.</summary>
+/// <summary>The font files of one folder. Names are listed when a font is first searched in it, tables of names are read when a family
+/// is first searched.</summary>
 internal sealed class FontFolder
 {
     private readonly Lazy<IReadOnlyList<string>> _files;
@@ -13,7 +14,7 @@ internal sealed class FontFolder
     /// that of everything else too.</param>
     public FontFolder(string path, bool isDeep)
     {
-        _files = new(() => FilesOf(path, isDeep));
+        _files = new(() => [.. FontFolders.FilesIn(path, isDeep).Where(FontFileName.HasKnownExtension)]);
         _byName = new(() => _files.Value.GroupBy(file => Path.GetFileName(file), StringComparer.OrdinalIgnoreCase).ToDictionary(group => group.Key, group => group.First(), StringComparer.OrdinalIgnoreCase));
         _faces = new(() => [.. _files.Value.Where(FontFolders.IsOutlineFile).SelectMany(FontFace.In)]);
     }
@@ -27,17 +28,4 @@ internal sealed class FontFolder
     /// <inheritdoc cref="Family"/>
     public static IEnumerable<FontFace> Nearest(IEnumerable<FontFace> faces, string family, FontRequest style) =>
         faces.Where(face => face.RankOf(family) is not null).OrderBy(face => face.Has(style) ? 0 : 1).ThenBy(face => face.RankOf(family)).ThenBy(face => face.Style.DistanceTo(style.IsBold, style.IsItalic));
-
-    private static string[] FilesOf(string path, bool isDeep)
-    {
-        var options = new EnumerationOptions { RecurseSubdirectories = isDeep, IgnoreInaccessible = true };
-        try
-        {
-            return Directory.Exists(path) ? [.. Directory.EnumerateFiles(path, "*", options).Where(FontFileName.HasKnownExtension).Order(StringComparer.Ordinal)] : [];
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            return [];
-        }
-    }
 }

@@ -61,7 +61,7 @@ public sealed class FontLibrary(IReadOnlyList<string> folders, FontSubstitutes s
         {
             foreach (var folder in _folders)
             {
-                if (folder.FileNamed(name) is { } path) yield return (path, FaceIn(path, request), true);
+                if (folder.FileNamed(name) is { } path) yield return FaceIn(path, request);
             }
         }
 
@@ -69,14 +69,13 @@ public sealed class FontLibrary(IReadOnlyList<string> folders, FontSubstitutes s
         foreach (var face in _folders.SelectMany(folder => folder.Family(request.Family, request))) yield return (face.Path, face.Index, face.Has(request));
     }
 
-    /// <summary>The face of a collection that has the family and the style that the request states.</summary>
-    private static int FaceIn(string path, FontRequest request)
+    /// <summary>The face of a file. In a collection it is that of the family and style; a file that is not bold or italic as the request states is not
+    /// exact, because such a style means the family.</summary>
+    private static (string Path, int Face, bool IsExact) FaceIn(string path, FontRequest request)
     {
-        if (!FontFolders.IsOutlineFile(path)) return 0;
-        var faces = FontFace.In(path);
-        if (faces.Count < 2) return 0;
-        var family = request.Family.Length > 0 ? request.Family : faces[0].Names.Family;
-        return FontFolder.Nearest(faces, family, request).FirstOrDefault()?.Index ?? 0;
+        if (!FontFolders.IsOutlineFile(path) || FontFace.In(path) is not [var first, ..] faces) return (path, 0, true);
+        var face = FontFolder.Nearest(faces, request.Family.Length > 0 ? request.Family : first.Names.Family, request).FirstOrDefault() ?? first;
+        return (path, face.Index, !(request.IsBold && !face.Style.IsBold) && !(request.IsItalic && !face.Style.IsItalic));
     }
 
     private static FoundFont Found(OpenedFont font, FontRequest request, FontMatch match, FontTrouble trouble) => new(font.Font, request, match, trouble, font.Path, font.Sha256);

@@ -7,6 +7,7 @@ namespace Engraver.Fonts.OpenType;
 /// may overlap. Every method may throw a <see cref="BrokenFontException"/>, because glyphs are read when they are asked for.</summary>
 public sealed class OutlineFont : ITextFont
 {
+    private readonly FontFile _file;
     private readonly CharacterMap _characters;
     private readonly IGlyphOutlines _outlines;
     private readonly HorizontalMetrics _widths;
@@ -18,7 +19,7 @@ public sealed class OutlineFont : ITextFont
     /// <exception cref="BrokenFontException">Not a font, no face of that number, or invalid tables.</exception>
     public OutlineFont(IFontSource source, int face = 0)
     {
-        var file = new FontFile(source, face);
+        var file = _file = new FontFile(source, face);
         _glyphCount = file.Table("maxp").UInt16(4);
         _characters = CharacterMap.ReadBest(file.Table("cmap"));
         _outlines = GlyphOutlines.Read(file);
@@ -51,14 +52,21 @@ public sealed class OutlineFont : ITextFont
     public GlyphCurves? GlyphOf(int codePoint)
     {
         var glyph = _characters.GlyphOf(codePoint);
-        if (glyph == 0)
-            return null;
-        if (glyph >= _glyphCount)
+        return glyph == 0 ? null : GlyphAt(glyph);
+    }
+
+    /// <summary>A glyph by its number: for texts that were shaped.</summary>
+    public GlyphCurves GlyphAt(int glyph)
+    {
+        if (glyph < 0 || glyph >= _glyphCount)
             throw new BrokenFontException("A character of the font refers to a glyph that it does not have.");
         var contours = new ContourCollector(ShiftOf(glyph));
         _outlines.Draw(glyph, contours);
         return new GlyphCurves(_widths.AdvanceOf(glyph), contours.Contours);
     }
+
+    /// <summary>The bytes of a table by its tag; null if the font has none.</summary>
+    public ReadOnlyMemory<byte>? TableOf(uint tag) => _file.TryGetTable(tag, out var table) ? table : null;
 
     /// <summary>GPOS decides where the font has pairs in it, otherwise the older table kern.</summary>
     public double KerningOf(int left, int right)

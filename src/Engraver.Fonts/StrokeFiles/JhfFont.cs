@@ -18,7 +18,7 @@ public sealed class JhfFont : ITextFont
     private const char First = ' ', Last = '~';
     private const string PenUp = " R";
 
-    /// <summary>Y of the line on which letters stand, downwards; the height of a capital; the depth of a descender.</summary>
+    /// <summary>Y of the baseline, downwards; the height of a capital; the depth of a descender.</summary>
     private const int Baseline = 9, CapHeight = 21, Depth = 7;
     private const int Em = 32;
     private const double UsualLineSpacing = 5.0 / 3;

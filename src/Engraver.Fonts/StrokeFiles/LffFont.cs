@@ -72,7 +72,7 @@ public sealed class LffFont : ITextFont
     }
 
     /// <summary>True for a space too, which has a width and often no lines in the file.</summary>
-    public bool Contains(int codePoint) => _lines.ContainsKey(codePoint) || IsSpace(codePoint);
+    public bool Contains(int codePoint) => _lines.ContainsKey(codePoint) || IsSpace(codePoint) || _lines.ContainsKey(DiameterSign.Other(codePoint));
 
     public GlyphCurves? GlyphOf(int codePoint) => Contains(codePoint) ? _glyphs.GetOrAdd(codePoint, Draw) : null;
 
@@ -82,7 +82,8 @@ public sealed class LffFont : ITextFont
     private GlyphCurves Draw(int codePoint)
     {
         var strokes = new StrokeCollector();
-        if (_lines.ContainsKey(codePoint)) Draw(codePoint, strokes, 0);
+        var written = _lines.ContainsKey(codePoint) ? codePoint : DiameterSign.Other(codePoint);
+        if (_lines.ContainsKey(written)) Draw(written, strokes, 0);
         var contours = strokes.Finish();
         // The width of a letter is that of its lines.
         var advance = contours.Count == 0 ? _wordSpacing : contours.SelectMany(contour => Stroke.Of(contour).Pieces).SelectMany(piece => piece.Extremes()).Max(point => point.X) + _letterSpacing;

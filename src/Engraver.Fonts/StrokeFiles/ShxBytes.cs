@@ -34,6 +34,4 @@ internal sealed class ShxBytes(ReadOnlyMemory<byte> data)
         Take(1);
         return text;
     }
-
-    public ReadOnlyMemory<byte> Rest() => Take(data.Length - _at);
 }

@@ -6,8 +6,8 @@ namespace Engraver.Fonts.StrokeFiles;
 /// with its data).</summary>
 internal sealed class ShxFile
 {
-    /// <summary>Longer than every known first line and name.</summary>
-    private const int MaxText = 4096;
+    /// <summary>Longer than every known first line.</summary>
+    private const int MaxHeader = 80;
     private const byte EndOfHeader = 0x1A;
 
     private readonly Dictionary<int, ReadOnlyMemory<byte>> _shapes = [];
@@ -24,7 +24,7 @@ internal sealed class ShxFile
     public static ShxFile Read(ReadOnlyMemory<byte> data)
     {
         var bytes = new ShxBytes(data);
-        var header = Encoding.ASCII.GetString(bytes.TakeUntil(EndOfHeader, MaxText).Span).Trim();
+        var header = Encoding.ASCII.GetString(bytes.TakeUntil(EndOfHeader, MaxHeader).Span).Trim();
         if (!header.StartsWith("AutoCAD-86 ", StringComparison.OrdinalIgnoreCase)) throw new BrokenFontException("The file is not a compiled shape file.");
         var file = new ShxFile(header.EndsWith(" unifont 1.0", StringComparison.OrdinalIgnoreCase));
         if (file.IsUnicode) file.ReadRecords(bytes);
@@ -51,12 +51,11 @@ internal sealed class ShxFile
         foreach (var (number, length) in index) Add(number, bytes.Take(length));
     }
 
-    /// <param name="record">The name, a zero, the codes.</param>
+    /// <param name="record">The name, a zero, the codes. A record without the zero has no codes: its shape is broken, not the font.</param>
     private void Add(int number, ReadOnlyMemory<byte> record)
     {
-        var bytes = new ShxBytes(record);
-        var name = bytes.TakeUntil(0, MaxText);
-        if (number == 0) Name = Encoding.Latin1.GetString(name.Span).Trim();
-        if (!_shapes.TryAdd(number, bytes.Rest())) throw new BrokenFontException($"The SHX file has shape {number} twice.");
+        var length = record.Span.IndexOf((byte)0);
+        if (number == 0 && length > 0) Name = Encoding.Latin1.GetString(record.Span[..length]).Trim();
+        if (!_shapes.TryAdd(number, length < 0 ? default : record[(length + 1)..])) throw new BrokenFontException($"The SHX file has shape {number} twice.");
     }
 }

@@ -9,11 +9,12 @@ public sealed class ShxFont : ITextFont
     /// <summary>Numbers of shapes below are control characters.</summary>
     private const int FirstCharacter = 0x20;
     private const int LineFeed = 10;
+    private const int LastOfAscii = 0x7F;
 
     /// <summary>The line spacing of AutoCAD's text, in heights, if the font states none.</summary>
     private const double UsualLineSpacing = 5.0 / 3;
 
-    private const int EmptySet = 0x2205, DiameterSign = 0x2300, DegreeSign = 0xB0, PlusMinusSign = 0xB1;
+    private const int DegreeSign = 0xB0, PlusMinusSign = 0xB1, CrossedO = 0xD8;
 
     private readonly ShxFile _file;
     private readonly bool _isPacked;
@@ -55,26 +56,27 @@ public sealed class ShxFont : ITextFont
         return new GlyphCurves(end.X, contours);
     }
 
-    /// <summary>The shape of a character. Fonts that are not Unicode have the signs of %%d, %%p and %%c after the letters; their other characters are those
-    /// that ASCII and Latin-1 have at the same place. The sign of a diameter has two places in Unicode.</summary>
+    /// <summary>The shape of a character. Fonts that are not Unicode have the signs of %%d, %%p and %%c after the letters, or degree and plus-minus where
+    /// Latin-1 has them: then other signs are after the letters, and the crossed O is the diameter. Other characters are at the places of Latin-1.</summary>
     private int? NumberOf(int codePoint)
     {
         if (codePoint < FirstCharacter) return null;
         if (!_file.IsUnicode)
         {
+            var hasLatin = Has(DegreeSign) && Has(PlusMinusSign);
             var sign = codePoint switch
             {
-                DegreeSign => 127,
-                PlusMinusSign => 128,
-                EmptySet or DiameterSign => 129,
+                DegreeSign when !hasLatin => 127,
+                PlusMinusSign when !hasLatin => 128,
+                DiameterSign.Code or DiameterSign.EmptySet => hasLatin && Has(CrossedO) ? CrossedO : 129,
                 _ => 0,
             };
             if (sign > 0 && Has(sign)) return sign;
-            return codePoint is < 127 or >= 0xA0 and <= 0xFF && Has(codePoint) ? codePoint : null;
+            return codePoint is < LastOfAscii or >= 0xA0 and <= 0xFF && Has(codePoint) ? codePoint : null;
         }
 
-        if (Has(codePoint)) return codePoint < 0x80 || !_isPacked ? codePoint : null;
-        return codePoint == DiameterSign && Has(EmptySet) ? EmptySet : codePoint == EmptySet && Has(DiameterSign) ? DiameterSign : null;
+        if (_isPacked && codePoint > LastOfAscii) return null;
+        return Has(codePoint) ? codePoint : DiameterSign.Other(codePoint) is var other && Has(other) ? other : null;
     }
 
     private bool Has(int number) => _file.Shape(number) is not null;

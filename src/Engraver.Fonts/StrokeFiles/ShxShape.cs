@@ -39,8 +39,17 @@ internal sealed class ShxShape
         var bytes = new ShxBytes(_file.Shape(number) ?? throw new BrokenFontException($"The SHX file has no shape {number}."));
         while (Next(bytes) is var code && code != (byte)ShxCode.End)
         {
-            if (code == (byte)ShxCode.VerticalOnly) Skip(bytes, Next(bytes));
-            else Do(bytes, code, depth);
+            if (code != (byte)ShxCode.VerticalOnly)
+            {
+                Do(bytes, code, depth);
+                continue;
+            }
+
+            // AutoCAD's own fonts have shapes with the code twice, and a shape may end after it.
+            var vertical = Next(bytes);
+            while (vertical == (byte)ShxCode.VerticalOnly) vertical = Next(bytes);
+            if (vertical == (byte)ShxCode.End) return;
+            Skip(bytes, vertical);
         }
     }
 
@@ -123,8 +132,6 @@ internal sealed class ShxShape
             case ShxCode.BulgeArcs:
                 while (Pair(bytes) != (0, 0)) bytes.Take(1);
                 break;
-            case ShxCode.End or ShxCode.VerticalOnly:
-                throw new BrokenFontException("A shape of the SHX file has no code after that for vertical text.");
             default:
                 break;
         }
@@ -136,8 +143,8 @@ internal sealed class ShxShape
 
     private static int Factor(ShxBytes bytes) => bytes.Next() is > 0 and var factor ? factor : throw new BrokenFontException("A shape of the SHX file is scaled by zero.");
 
-    /// <summary>A vector in one of sixteen directions, counter-clockwise from the right. They end on a square: the longer of its two parts is the length, the
-    /// other one that, half of it, or zero.</summary>
+    /// <summary>A vector in one of sixteen directions, counter-clockwise from the right. They end on a square: the longer of the two parts is the length, the
+    /// other one is the same, half of it, or zero.</summary>
     private void MoveAlong(int length, int direction)
     {
         if (length == 0) throw new BrokenFontException("A shape of the SHX file has an unknown code.");

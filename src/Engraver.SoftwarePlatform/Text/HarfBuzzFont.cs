@@ -1,64 +1,37 @@
-using System.Diagnostics.CodeAnalysis;
 using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Media.Fonts;
 using Avalonia.Media.TextFormatting;
-using Engraver.Fonts;
-using HarfBuzzSharp;
-using Buffer = HarfBuzzSharp.Buffer;
-using GlyphInfo = Avalonia.Media.TextFormatting.GlyphInfo;
+using Engraver.Shaping;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>One face in HarfBuzz, for scripts whose letters join, change their order or carry stacked marks. Only this class uses the library, so that it is
-/// loaded with the first such text.</summary>
-[SuppressMessage("Design", "CA1001", Justification = "Typefaces are kept until the program ends.")]
+/// <summary>One typeface for scripts whose letters join, change their order or carry stacked marks.</summary>
 internal sealed class HarfBuzzFont
 {
-    private readonly Font _font;
+    private readonly ShapingFace _face;
+    private readonly int _unitsPerEm;
 
-    private HarfBuzzFont(SoftwareTypeface typeface)
-    {
-        var face = new Face((_, tag) => Table(typeface, tag)) { UnitsPerEm = typeface.UnitsPerEm };
-        _font = new Font(face);
-        _font.SetFunctionsOpenType();
-    }
+    private HarfBuzzFont(ShapingFace face, int unitsPerEm) => (_face, _unitsPerEm) = (face, unitsPerEm);
 
     /// <returns>Null if the library cannot be loaded.</returns>
-    public static HarfBuzzFont? TryCreate(SoftwareTypeface typeface)
-    {
-        try
-        {
-            return new HarfBuzzFont(typeface);
-        }
-        catch (Exception e) when (e is DllNotFoundException or BadImageFormatException or TypeInitializationException)
-        {
-            return null;
-        }
-    }
+    public static HarfBuzzFont? TryCreate(SoftwareTypeface typeface) =>
+        ShapingFace.TryCreate(tag => typeface.TryGetTable(new OpenTypeTag(tag), out var table) ? table : null, typeface.UnitsPerEm) is { } face ? new HarfBuzzFont(face, typeface.UnitsPerEm) : null;
 
     /// <summary>Adds the glyphs of a part of the text, in the order of the text.</summary>
     public void Shape(ReadOnlyMemory<char> text, ScriptRun part, in TextShaperOptions options, List<GlyphInfo> glyphs)
     {
         var isRightToLeft = (options.BidiLevel & 1) != 0;
-        using var buffer = new Buffer();
         var (around, start) = Surroundings(text);
-        buffer.AddUtf16(around.Span, start + part.Start, part.Length);
-        buffer.GuessSegmentProperties();
-        buffer.Direction = isRightToLeft ? Direction.RightToLeft : Direction.LeftToRight;
-        _font.Shape(buffer, Features(options));
-        _font.GetScale(out var unitsPerEm, out _);
-        var scale = options.FontRenderingEmSize / unitsPerEm;
-        ReadOnlySpan<HarfBuzzSharp.GlyphInfo> infos = buffer.GetGlyphInfoSpan();
-        ReadOnlySpan<GlyphPosition> positions = buffer.GetGlyphPositionSpan();
-        for (var i = 0; i < infos.Length; i++)
+        var shaped = _face.Shape(around.Span, start + part.Start, part.Length, isRightToLeft, Features(options));
+        var scale = options.FontRenderingEmSize / _unitsPerEm;
+        for (var i = 0; i < shaped.Count; i++)
         {
-            var index = isRightToLeft ? infos.Length - 1 - i : i;
-            var cluster = (int)infos[index].Cluster;
-            var isLastOfCluster = index + 1 == infos.Length || infos[index + 1].Cluster != infos[index].Cluster;
-            var advance = positions[index].XAdvance * scale + (isLastOfCluster ? options.LetterSpacing : 0);
-            var offset = new Vector(positions[index].XOffset * scale, -positions[index].YOffset * scale);
-            glyphs.Add(new GlyphInfo((ushort)infos[index].Codepoint, cluster - start, advance, offset));
+            var index = isRightToLeft ? shaped.Count - 1 - i : i;
+            var glyph = shaped[index];
+            var isLastOfCluster = index + 1 == shaped.Count || shaped[index + 1].Cluster != glyph.Cluster;
+            var advance = glyph.Advance * scale + (isLastOfCluster ? options.LetterSpacing : 0);
+            glyphs.Add(new GlyphInfo((ushort)glyph.Glyph, glyph.Cluster - start, advance, new Vector(glyph.XOffset * scale, -glyph.YOffset * scale)));
         }
     }
 
@@ -70,24 +43,8 @@ internal sealed class HarfBuzzFont
         return MemoryMarshal.TryGetArray(text, out var segment) ? (segment.Array, segment.Offset) : (text, 0);
     }
 
-    private static Feature[] Features(in TextShaperOptions options) =>
+    private static ShapingFeature[] Features(in TextShaperOptions options) =>
         options.FontFeatures is { Count: > 0 } features
-            ? [.. features.Select(feature => new Feature(Tag.Parse(feature.Tag), (uint)feature.Value, (uint)feature.Start, (uint)feature.End))]
+            ? [.. features.Select(feature => new ShapingFeature(feature.Tag, (uint)feature.Value, (uint)feature.Start, (uint)feature.End))]
             : [];
-
-    /// <summary>The memory of the table stays in place until HarfBuzz releases it. No exception may pass through the library.</summary>
-    private static unsafe Blob? Table(SoftwareTypeface typeface, Tag tag)
-    {
-        try
-        {
-            if (!typeface.TryGetTable(new OpenTypeTag(tag), out var table))
-                return null;
-            var pin = table.Pin();
-            return new Blob((nint)pin.Pointer, table.Length, MemoryMode.ReadOnly, pin.Dispose);
-        }
-        catch (BrokenFontException)
-        {
-            return null;
-        }
-    }
 }

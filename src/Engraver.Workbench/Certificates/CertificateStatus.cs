@@ -3,12 +3,13 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Certificates;
 
 /// <summary>The status of the certificate beside a job's drawing.</summary>
-/// <param name="Differences">What has changed: <c>drawing</c>, <c>profile</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is
+/// <param name="Differences">What has changed: <c>drawing</c>, <c>profile</c>, <c>fonts</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is
 /// stale.</param>
 /// <param name="Certificate">Null when none can be read.</param>
 public sealed record CertificateStatus(CertificateState State, IReadOnlyList<string> Differences, JobCertificate? Certificate)
@@ -17,6 +18,9 @@ public sealed record CertificateStatus(CertificateState State, IReadOnlyList<str
 
     /// <summary>Why the file is not a valid certificate, without a full stop; null when it is.</summary>
     public string? Problem { get; private init; }
+
+    /// <summary>Names of the fonts whose files, or whose substitutes, are not those of the certificate.</summary>
+    public IReadOnlyList<string> ChangedFonts { get; private init; } = [];
 
     /// <summary>The job runs trajectories instead of the drawing; a certificate covers the drawing only.</summary>
     private bool RunsTrajectories { get; init; }
@@ -28,7 +32,7 @@ public sealed record CertificateStatus(CertificateState State, IReadOnlyList<str
         CertificateState.None => Wording.Get("Certificate.None"),
         CertificateState.Stands => Wording.Get("Certificate.Valid", Certificate!.MaxDeviation?.ToString("0.####", CultureInfo.InvariantCulture) ?? "?", Certificate.Issued.UtcDateTime),
         _ when Problem is { } problem => Wording.Get("Certificate.Unreadable", problem),
-        _ => Wording.Get("Certificate.Stale", string.Join(", ", Differences.Select(PartName))),
+        _ => Wording.Get("Certificate.Stale", string.Join(", ", Differences.Select(part => part == "fonts" && ChangedFonts.Count > 0 ? Wording.Get("CertificateDiffers.fontsNamed", string.Join(", ", ChangedFonts)) : PartName(part)))),
     };
 
     /// <summary>The start check. A job runs without a certificate too; a stale certificate must be acknowledged.</summary>
@@ -59,16 +63,16 @@ public sealed record CertificateStatus(CertificateState State, IReadOnlyList<str
     {
         ArgumentNullException.ThrowIfNull(certificate);
         ArgumentNullException.ThrowIfNull(job);
-        var differs = job.Differences(certificate.Drawing.Sha256, certificate.Settings.Values, certificate.Profile.Sha256).ToList();
+        var differs = job.Differences(certificate.Drawing.Sha256, certificate.Settings.Values, certificate.Profile.Sha256, certificate.Fonts).ToList();
         if (certificate.Program.Target != job.Target || certificate.Program.Dialect != job.Dialect) differs.Add("target");
         if (differs.Count == 0 && (!certificate.Ok || job.Program.Value is null || certificate.Program.Sha256 != job.Program.Value)) differs.Add("program");
-        return new CertificateStatus(differs.Count == 0 ? CertificateState.Stands : CertificateState.Stale, differs, certificate);
+        return new CertificateStatus(differs.Count == 0 ? CertificateState.Stands : CertificateState.Stale, differs, certificate) { ChangedFonts = differs.Contains("fonts") ? CutFont.Differences(certificate.Fonts, job.Fonts) : [] };
     }
 
     /// <summary>One of <see cref="Differences"/> as displayed; settings by their keys.</summary>
     internal static string PartName(string part) => part switch
     {
-        "drawing" or "profile" or "target" or "program" => Wording.Get("CertificateDiffers." + part),
+        "drawing" or "profile" or "fonts" or "target" or "program" => Wording.Get("CertificateDiffers." + part),
         _ => $"[{part}]",
     };
 }

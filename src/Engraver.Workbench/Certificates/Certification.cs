@@ -24,10 +24,10 @@ public static class Certification
         ArgumentNullException.ThrowIfNull(request);
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
         var reader = request.Reader ?? throw new ArgumentException($"Nothing reads programs of {post.Name}.", nameof(request));
-        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation, request.Values);
         var (posted, fitted) = Posted(request, job);
         if (posted.Text is not { } text) return new CertificationResult(null, posted.Diagnostics) { NoProgramReason = posted.NoProgramReason };
-        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, (request.PostParameters ?? PostParameters.Defaults) with { FittedProgram = fitted }).ConfigureAwait(false);
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, (request.PostParameters ?? PostParameters.Defaults) with { FittedProgram = fitted, Values = request.Values }).ConfigureAwait(false);
         IReadOnlyList<Diagnostic> findings = [.. posted.Diagnostics, .. report.Diagnostics];
         return new CertificationResult(Certificate(request, job, fitted, text, report, findings), findings);
     }
@@ -40,7 +40,7 @@ public static class Certification
 
         string? Program()
         {
-            var job = JobPreparation.Prepare(request.Drawing, request.Settings, request.Target.Post.Motion ?? MotionStyle.Continuous);
+            var job = JobPreparation.Prepare(request.Drawing, request.Settings, request.Target.Post.Motion ?? MotionStyle.Continuous, request.Values);
             return Posted(request, job).Posted.Text is { } text ? ContentHash.OfText(text) : null;
         }
     }
@@ -51,7 +51,7 @@ public static class Certification
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
         var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Strategy, drawing) : null;
         if (request.Program is { } given) return (new PostedProgram(given.Text, job.Diagnostics), fit?.Program);
-        if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, request.Options), null);
+        if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, request.Options, request.Values), null);
         return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, request.Options), fit?.Program);
     }
 
@@ -66,6 +66,8 @@ public static class Certification
             Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')) { Dialect = request.Dialect },
             Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
             Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X.CountsPerMillimetre, machine.Scale.Y.CountsPerMillimetre, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
+            Plate = request.Values.IsNone ? null : request.Values.ToString(),
+            Fonts = job.Fonts,
             Ok = report.Ok,
             MaxDeviation = report.MaxDeviationMm,
             Tolerance = report.ToleranceMm,

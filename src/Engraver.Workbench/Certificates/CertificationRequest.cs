@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Verification;
 
@@ -29,6 +30,9 @@ public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, 
 
     /// <summary>Post options that affect the program.</summary>
     public IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
+
+    /// <summary>What the fields in texts stand for.</summary>
+    public PlateValues Values { get; init; } = PlateValues.None;
 
     /// <summary>The link to the machine, which may limit the feed; null for none.</summary>
     public ControllerAddress? Address { get; init; }

@@ -1,4 +1,5 @@
 using System.Text.Json.Serialization;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Certificates;
 
@@ -24,6 +25,10 @@ public sealed record JobCertificate
 
     public required CertifiedProfile Profile { get; init; }
 
+    /// <summary>The values of the texts; left out where they have no fields.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public string? Plate { get; init; }
+
     /// <summary>True: the program runs to its end and cuts the whole drawing and nothing else.</summary>
     public required bool Ok { get; init; }
 
@@ -47,6 +52,9 @@ public sealed record JobCertificate
 
     /// <summary>Findings, errors first.</summary>
     public required IReadOnlyList<CertifiedFinding> Findings { get; init; }
+
+    /// <summary>The fonts of the texts that are cut as curves; empty if no text is cut, and in certificates of an earlier version.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
 }
 
 /// <param name="File">File name without the folder.</param>

@@ -14,6 +14,9 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     /// <summary>True if the run ended, the controller was restored, and the run cannot be resumed.</summary>
     public bool IsClosed { get; private init; }
 
+    /// <summary>As in <see cref="JobOptions.Settings"/>; null in older journals.</summary>
+    public IReadOnlyDictionary<string, string>? Settings { get; private init; }
+
     /// <summary>Path of the copy of the controller's program beside a journal.</summary>
     public static string ProgramCopyOf(string journal) => InterruptedJob.ProgramCopyOf(journal);
 
@@ -22,7 +25,7 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     {
         try
         {
-            return InterruptedJob.Read(journal) is { } job ? new JournalledRun(job.End?.Outcome, job.End?.Sentence ?? "", job.End?.Time, job.Header.Mode.Strategy(), job.Header.DryRun, job.Header.Program) { IsClosed = Closed(job) } : null;
+            return InterruptedJob.Read(journal) is { } job ? new JournalledRun(job.End?.Outcome, job.End?.Sentence ?? "", job.End?.Time, job.Header.Mode.Strategy(), job.Header.DryRun, job.Header.Program) { IsClosed = Closed(job), Settings = job.Header.Settings } : null;
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {

@@ -3,6 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -24,14 +25,15 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public string NoProgramReason { get; init; } = "";
 
     /// <param name="options">All options of the post by name.</param>
+    /// <param name="values">What the fields in texts stand for; null for none.</param>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
-    public static PostedProgram Create(Drawing drawing, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
+    public static PostedProgram Create(Drawing drawing, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options, PlateValues? values = null)
     {
         ArgumentNullException.ThrowIfNull(post);
-        var lettered = JobPreparation.To<LetteredJob>(drawing, settings);
+        var lettered = JobPreparation.To<LetteredJob>(drawing, settings, values);
         if (lettered.Drawing.Entities.Count == 0) return CreateEmpty(lettered.Drawing, settings, [.. drawing.Diagnostics, .. lettered.Findings]);
-        if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
-        var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style, values), post, options);
+        var ordered = JobPreparation.To<OrderedJob>(drawing, settings, values);
         var posted = FromSequence(ordered, post, options);
         return posted with { Diagnostics = [.. posted.Diagnostics, .. ordered.Cut.FindingsBeside(ordered.Sequence)] };
     }

@@ -5,6 +5,8 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Workbench.LetteredDrawings;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -26,6 +28,12 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The drawing from which the stages started; <see cref="Drawing"/> unless a stage replaced it.</summary>
     public Drawing Source { get; init; } = Drawing;
 
+    /// <summary>The plate with the values of its texts and its place; null for a drawing that is not one of several plates.</summary>
+    public Plate? Plate { get; init; }
+
+    /// <summary>The fonts of the texts that are cut; empty if none is.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
     /// <summary>The trajectories that replace the drawing, and their document; null for a job of the drawing. <see cref="Drawing"/> then contains their
     /// curves.</summary>
     public FollowedTrajectories? Trajectories { get; init; }
@@ -39,9 +47,12 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
 
-    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), which cannot be accepted; empty for every job that may be run or
-    /// posted.</summary>
+    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), misplaced letters (VER0023) and fields without a value, which cannot be accepted;
+    /// empty for every job that may be run or posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
+
+    /// <summary>Those of <see cref="Faults"/> that are misplaced letters.</summary>
+    public IReadOnlyList<Diagnostic> LetterFaults => [.. Faults.Where(fault => fault.Rule == VerificationRules.LettersMisplaced)];
 
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
@@ -57,7 +68,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public static PreparedJob From(CheckedJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults };
+        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults, Fonts = job.Letters.Fonts };
     }
 
     /// <summary>True if this is the job of a document: same drawing and settings, and same trajectories if these are run.</summary>
@@ -68,8 +79,8 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         return Trajectories is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
     }
 
-    /// <summary>Message about the faults of the toolpath, without a full stop.</summary>
-    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathDeviates", Ids(faults));
+    /// <summary>Message about the faults of the toolpath or of the fields in texts, without a full stop.</summary>
+    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get(SerialRules.All.Contains(faults[0].Rule) ? "PreparedJob.FieldsNotFilled" : "PreparedJob.ToolpathDeviates", Ids(faults));
 
     /// <summary>Message that the cut layers have no curve, without a full stop.</summary>
     internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NothingToCut") : Wording.Get("PreparedJob.NothingToCutBecause", notCut.Clause);

@@ -15,6 +15,9 @@ public static class UserFiles
     /// <summary>The operator's aliases; the file need not exist.</summary>
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
 
+    /// <summary>The counters of serial texts (docs/serial-text.md).</summary>
+    public static string Counters => Path.Combine(Folder, "counters", "counters.json");
+
     /// <summary>The persistent settings of the desktop.</summary>
     public static string DesktopSettingsFile => Path.Combine(Folder, "desktop.json");
 }

@@ -8,9 +8,11 @@ using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Histories;
 
@@ -50,6 +52,9 @@ public sealed record HistoryEntry
 
     /// <summary>Result of the last read-back of <see cref="Program"/>; null if there was none.</summary>
     public HistoryReadBack? ReadBack { get; init; }
+
+    /// <summary>The values of the texts of the plate and its place (<see cref="SerialTexts.Plate.ToString"/>); null for a job without.</summary>
+    public string? Plate { get; init; }
 
     /// <summary>stream, calls or program; null for a posted program.</summary>
     public string? Mode { get; init; }
@@ -92,6 +97,9 @@ public sealed record HistoryEntry
     /// <summary>By the keys of docs/settings.md.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
+    /// <summary>The fonts of the texts that were cut; empty if none was.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
     /// <summary>The machine profile in its full form.</summary>
     public JsonElement Profile { get; init; }
 
@@ -111,7 +119,7 @@ public sealed record HistoryEntry
 
     /// <summary>Whether the displayed text of the job contains a word.</summary>
     public bool Matches(string word) =>
-        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
+        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Plate, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
 
     /// <summary>certified, verified or notVerified: the word used in lists and searches.</summary>
     public static string ReadBackWord(HistoryReadBack readBack)
@@ -157,6 +165,7 @@ public sealed record HistoryEntry
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
         Settings = SettingValues.Of(settings.AsOpened(drawing)),
+        Fonts = JobPreparation.To<LetteredJob>(drawing, settings).Letters.Fonts,
         Profile = ProfileOf(settings),
     };
 
@@ -168,6 +177,8 @@ public sealed record HistoryEntry
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Trajectories is not null,
+            Plate = job.Plate?.ToString(),
+            Fonts = job.Fonts,
             Mode = options.Strategy.Key,
             Address = options.Address.Typed,
             Outcome = OutcomeText.Token(outcome),

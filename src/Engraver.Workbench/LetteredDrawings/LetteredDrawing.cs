@@ -13,6 +13,12 @@ namespace Engraver.Workbench.LetteredDrawings;
 /// <param name="Findings">Fonts, characters and codes; each once, with its first place.</param>
 public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText> Texts, IReadOnlyList<Diagnostic> Findings)
 {
+    /// <summary>The fonts of the texts that are cut.</summary>
+    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+
+    /// <summary>Texts whose letters are not where a second calculation has them (VER0023).</summary>
+    public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
+
     /// <summary>A drawing none of whose texts is cut.</summary>
     public static LetteredDrawing None(Drawing drawing) => new(drawing, [], []);
 
@@ -40,7 +46,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
             rest.Add(text);
         }
 
-        return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts));
+        return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts)) { Fonts = CutFont.Of(done, fonts), Faults = findings.Faults };
     }
 
     /// <summary>The layout of a text of any type; null if it has no size.</summary>
@@ -69,7 +75,16 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
 
         if (curves.IsTilted) findings.AddTilted(source);
         if (!curves.IsUnited) findings.AddNotUnited(source, text.Content);
+        if (MisplacementOf(text, fonts, curves, maxError) is { } misplaced) findings.AddMisplaced(source, text.Content, misplaced);
         return (layout, curves);
+    }
+
+    /// <summary>A text of several lines has no second calculation.</summary>
+    private static Misplacement? MisplacementOf(PlacedText text, LetterFonts fonts, LetterCurves curves, double maxError)
+    {
+        if (text.Written.Paragraphs is not null) return null;
+        var style = fonts.StyleOf(text.Style);
+        return LetterCheck.Find(LetterPlaces.Of(text, style, fonts.Of(style)), curves, maxError);
     }
 
     private static DrawingEntity EntityOf(PlacedText text) => new()

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Fonts.Finding;
 using Engraver.Workbench.Lettering;
@@ -11,8 +12,11 @@ internal sealed class LetteringFindings
     private const int ShownLength = 40;
 
     private readonly List<Diagnostic> _lost = [];
+    private readonly List<Diagnostic> _faults = [];
     private readonly Dictionary<LayoutNoteKind, Noted> _notes = [];
     private (SourceRef First, int Count)? _tilted;
+
+    public IReadOnlyList<Diagnostic> Faults => _faults;
 
     public void Add(SourceRef source, IReadOnlyList<LayoutNote> notes)
     {
@@ -31,6 +35,9 @@ internal sealed class LetteringFindings
     public void AddNotUnited(SourceRef source, string content) => _lost.Add(LetteringRules.NotUnited.At(source, Shown(content)));
 
     public void AddTilted(SourceRef source) => _tilted = (_tilted?.First ?? source, (_tilted?.Count ?? 0) + 1);
+
+    public void AddMisplaced(SourceRef source, string content, Misplacement found) => _faults.Add(VerificationRules.LettersMisplaced.At(
+        source, Shown(content), FactText.Of(found.Distance), NumberText.Rounded(found.At.X, 4), NumberText.Rounded(found.At.Y, 4)));
 
     /// <summary>All findings: lost texts, fonts, then what the layouts noted.</summary>
     public IReadOnlyList<Diagnostic> Of(LetterFonts fonts)
@@ -51,14 +58,15 @@ internal sealed class LetteringFindings
             { Match: FontMatch.ByTable } => LetteringRules.FontMapped,
             _ => LetteringRules.FontMissing,
         };
-        return rule.At(default, NameOf(font.Request), font.Font.Name);
+        return rule.At(default, NameOf(font.Request) is { Length: > 0 } name ? name : Wording.Get("LetteringFindings.NoFont"), font.Font.Name);
     }
 
-    private static string NameOf(FontRequest request) => request switch
+    /// <summary>As a style or a code names the font; "" if it names none.</summary>
+    internal static string NameOf(FontRequest request) => request switch
     {
         { File.Length: > 0, Family.Length: 0 } => request.File,
         { Family.Length: > 0 } => string.Join(' ', new[] { request.Family, request.IsBold ? "Bold" : "", request.IsItalic ? "Italic" : "" }.Where(part => part.Length > 0)),
-        _ => Wording.Get("LetteringFindings.NoFont"),
+        _ => "",
     };
 
     private static DiagnosticRule RuleOf(LayoutNoteKind kind) => kind switch

@@ -5,6 +5,7 @@ using System.Text;
 using Engraver.Core.Geometry;
 using Engraver.Fonts;
 using Engraver.Fonts.Finding;
+using Engraver.Shaping;
 
 namespace Engraver.Workbench.Lettering;
 
@@ -30,12 +31,10 @@ public static class LetterRun
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(font);
         ArgumentNullException.ThrowIfNull(notes);
+        if (ShapedOf(text, font, format, origin, notes) is { } shaped) return shaped;
         var (glyphs, x, left) = (new List<GlyphPlace>(), origin.X, default(int?));
-        foreach (var rune in Composed(text).EnumerateRunes())
+        foreach (var (from, codePoint, curves) in ShapesOf(text, font, notes))
         {
-            if (IsWithoutShape(rune)) continue;
-            if (NeedsShaping(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
-            var (from, codePoint, curves) = GlyphOf(rune.Value, font, notes);
             var scale = format.Height / from.Font.Metrics.CapHeight;
             if (left is { } before && ReferenceEquals(from, font)) x += KerningOf(font.Font, before, codePoint) * scale * format.WidthFactor;
             left = ReferenceEquals(from, font) ? codePoint : null;
@@ -46,10 +45,39 @@ public static class LetterRun
         return new LetterRunResult(glyphs, x - origin.X);
     }
 
+    /// <summary>The glyphs of a text whose letters join or change places; null for any other text.</summary>
+    internal static LetterRunResult? ShapedOf(string text, FoundFont font, LetterFormat format, Point2D origin, LayoutNotes notes) =>
+        ShapedRun.TrySet(text, font, format, origin, notes, codePoint => GlyphOf(codePoint, font, notes));
+
+    /// <summary>The characters that a text shows, each with its shape: the font's, otherwise the stroke font's, otherwise a box.</summary>
+    internal static IEnumerable<(FoundFont Font, int CodePoint, GlyphCurves Curves)> ShapesOf(string text, FoundFont font, LayoutNotes notes)
+    {
+        foreach (var rune in Composed(text).EnumerateRunes())
+        {
+            if (IsWithoutShape(rune)) continue;
+            if (ComplexLine.IsComplex(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
+            yield return GlyphOf(rune.Value, font, notes);
+        }
+    }
+
+    /// <summary>In font units; 0 for a pair that cannot be read.</summary>
+    internal static double KerningOf(ITextFont font, int left, int right)
+    {
+        try
+        {
+            return font.KerningOf(left, right);
+        }
+        catch (BrokenFontException)
+        {
+            return 0.0; // its shapes are readable, only the pair is not: the plain advance
+        }
+    }
+
     /// <summary>The map of a point of the plane that is slanted with the letters of a run: for lines drawn with them.</summary>
     internal static double SlantAt(LetterFormat format, double above) => above * SlopeOf(format.Oblique);
 
-    private static Placement MapOf(LetterFormat format, double scale, double x, double y) => new(
+    /// <summary>From font units to the plane, for a glyph whose origin is at a place.</summary>
+    internal static Placement MapOf(LetterFormat format, double scale, double x, double y) => new(
         new Vector3D(scale * format.WidthFactor, 0.0, 0.0),
         new Vector3D(scale * SlopeOf(format.Oblique), scale, 0.0),
         new Vector3D(0.0, 0.0, scale),
@@ -74,7 +102,6 @@ public static class LetterRun
         }
     }
 
-    /// <summary>The shape of a character: the font's, otherwise the stroke font's, otherwise a box.</summary>
     private static (FoundFont Font, int CodePoint, GlyphCurves Curves) GlyphOf(int codePoint, FoundFont font, LayoutNotes notes)
     {
         if (Shape(codePoint, font.Font, notes) is { } own) return (font, codePoint, own);
@@ -104,18 +131,6 @@ public static class LetterRun
         }
     }
 
-    private static double KerningOf(ITextFont font, int left, int right)
-    {
-        try
-        {
-            return font.KerningOf(left, right);
-        }
-        catch (BrokenFontException)
-        {
-            return 0.0; // its shapes are readable, only the pair is not: the plain advance
-        }
-    }
-
     private static GlyphCurves Box(double height)
     {
         var width = BoxWidth * height;
@@ -123,11 +138,8 @@ public static class LetterRun
         return new GlyphCurves(BoxAdvance * height, [new GlyphContour(default, sides, IsClosed: true)]);
     }
 
-    private static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
+    internal static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
 
     /// <summary>Controls of layout, which no font draws: joiners, marks of direction, soft hyphens, variation selectors.</summary>
     private static bool IsWithoutShape(Rune rune) => Rune.GetUnicodeCategory(rune) is UnicodeCategory.Format or UnicodeCategory.Control ? rune.Value != '\t' : rune.Value is >= 0xFE00 and <= 0xFE0F;
-
-    /// <summary>Arabic and its neighbours, the scripts of India and of South East Asia that combine their letters.</summary>
-    private static bool NeedsShaping(Rune rune) => rune.Value is >= 0x0590 and <= 0x08FF or >= 0x0900 and <= 0x0DFF or >= 0x0F00 and <= 0x109F or >= 0x1780 and <= 0x17FF;
 }

@@ -57,17 +57,7 @@ internal sealed class OutlineUnion(Placement plane, double maxError)
         return [.. united.Contours.Select(one => given.FindIndex(contour => IsSame(one, contour)) is >= 0 and var same ? contours[same] : LetterContour.Of(one, plane.Origin.Z))];
     }
 
-    private static IReadOnlyList<Segment> SegmentsOf(LetterContour contour, double error)
-    {
-        var segments = new List<Segment>();
-        foreach (var part in contour.Parts)
-        {
-            if (part.IsFreeCurve) segments.AddRange(BiarcFit.Fit(contour.Curves[part.CurveIndex], error));
-            else segments.Add(contour.SegmentOf(part));
-        }
-
-        return segments;
-    }
+    private static IReadOnlyList<Segment> SegmentsOf(LetterContour contour, double error) => BiarcFit.FitContour(contour.Parts.Select(part => contour.SegmentOf(part)), error);
 
     /// <summary>True for a contour that was returned as given, or reversed.</summary>
     private static bool IsSame(IReadOnlyList<Segment> united, IReadOnlyList<Segment> given) =>

@@ -15,7 +15,7 @@ public static class HistoryText
         foreach (var (number, entry) in entries)
         {
             var what = entry.Mode is { } mode ? $"{entry.Kind} {mode} {entry.Address}" : $"{entry.Kind} {Target(entry)}";
-            output.WriteLine(string.Join("  ", new[] { $"{number,4}", Date(entry, here), Path.GetFileName(entry.Drawing), what, entry.Outcome, Figures(entry), ReadBack(entry) }.Where(part => part.Length > 0)));
+            output.WriteLine(string.Join("  ", new[] { $"{number,4}", Date(entry, here), Path.GetFileName(entry.Drawing), what, entry.Outcome, Figures(entry), ReadBack(entry), entry.Plate ?? "" }.Where(part => part.Length > 0)));
         }
     }
 

@@ -8,6 +8,7 @@ public record CheckedJob : MotionJob
     public CheckedJob(MotionJob job, IReadOnlyList<Diagnostic> faults)
         : base(job) => Faults = faults;
 
-    /// <summary>Where the toolpath differs from the drawing (VER0020 to VER0022).</summary>
+    /// <summary>Where the toolpath differs from the drawing (VER0020 to VER0022), letters that are not at their places (VER0023), and fields without a
+    /// value.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; }
 }

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Stages;
@@ -14,6 +15,9 @@ public record DrawnJob(Drawing Drawing, DrawingSettings Settings, MotionStyle St
 {
     /// <summary>The drawing as it was opened.</summary>
     public Drawing Source { get; init; } = Drawing;
+
+    /// <summary>What the fields in its texts stand for.</summary>
+    public PlateValues Values { get; init; } = PlateValues.None;
 
     /// <summary>Findings that are not in the result of a stage, in the order of their report.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];

@@ -1,11 +1,13 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Workbench.LetteredDrawings;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Stages;
 
-/// <summary>Makes curves of the texts on the selected layers, if the settings request it.</summary>
-internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 2)
+/// <summary>Fills the fields in the texts on the selected layers and makes curves of these texts, if the settings request it.</summary>
+internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", share: 0)
 {
     public override IReadOnlyList<Setting> Settings => [SettingTable.Cut, SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.MaxError];
 
@@ -16,11 +18,25 @@ internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", 
 
     public override bool IsMeasured => false; // The measured drawing has no text.
 
+    /// <summary>The fields in the texts that are cut; none if no text is.</summary>
+    public static PlateFields FieldsOf(Drawing drawing, DrawingSettings settings)
+    {
+        if (!settings.Cut.HasFlag(CutChoice.Text)) return PlateFields.Of([]);
+        var taken = StageOptions.SelectionOf(settings).Taken(drawing.Layers);
+        return PlateFields.Of(drawing.Texts.Where(text => IsTaken(text, taken)));
+    }
+
     protected override LetteredJob Execute(DrawnJob job, CancellationToken cancellation)
     {
         if (!job.Settings.Cut.HasFlag(CutChoice.Text) || job.Drawing.Texts.Count == 0) return new LetteredJob(job, LetteredDrawing.None(job.Drawing));
         var taken = StageOptions.SelectionOf(job.Settings).Taken(job.Drawing.Layers);
-        var letters = LetteredDrawing.Of(job.Drawing, text => !text.Hidden && taken[text.Layer], LetterLibrary.FontsOf(job.Drawing), job.Drawing.Scale.ToDrawing(ErrorShare * job.Settings.MaxErrorMm), cancellation);
-        return new LetteredJob(job with { Drawing = letters.Drawing, Findings = [.. job.Findings, .. letters.Findings] }, letters);
+        var fields = FieldsOf(job.Drawing, job.Settings).Check(job.Values).ToLookup(finding => finding.Severity == Severity.Error);
+        var letters = LetteredDrawing.Of(Filled(job.Drawing, job.Values), text => IsTaken(text, taken), LetterLibrary.FontsOf(job.Drawing), job.Drawing.Scale.ToDrawing(ErrorShare * job.Settings.MaxErrorMm), cancellation);
+        return new LetteredJob(job with { Drawing = letters.Drawing, Findings = [.. job.Findings, .. letters.Findings, .. fields[false]] }, letters) { FieldFaults = [.. fields[true]] };
     }
+
+    private static bool IsTaken(PlacedText text, bool[] taken) => !text.Hidden && taken[text.Layer];
+
+    private static Drawing Filled(Drawing drawing, PlateValues values) => values.IsNone ? drawing
+        : drawing with { Texts = [.. drawing.Texts.Select(text => text with { Written = text.Written with { Raw = values.Fill(text.Written.Raw, text.Written.Tag) } })] };
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Stages;
@@ -10,4 +11,7 @@ public record LetteredJob : DrawnJob
 
     /// <summary>The texts that are cut, and their fonts.</summary>
     public LetteredDrawing Letters { get; init; }
+
+    /// <summary>Fields in these texts that have no value (SER0001, SER0002, SER0004). With such a field there is no motion program.</summary>
+    public IReadOnlyList<Diagnostic> FieldFaults { get; init; } = [];
 }

@@ -3,6 +3,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.Verification;
 
@@ -22,6 +23,9 @@ public sealed record PostParameters
     /// <summary>Allowed corner rounding of the controller, millimetres. Without another tolerance it also joins lines within the same tolerance (rs274-hpgl.md
     /// 1.4), so that twice the value is allowed.</summary>
     public double BlendMm { get; init; }
+
+    /// <summary>What the fields in the texts of the drawing stand for.</summary>
+    public PlateValues Values { get; init; } = PlateValues.None;
 
     /// <summary>Program content other than the path.</summary>
     public ProgramRequirements Terms { get; init; } = TermsOf(_ => null);

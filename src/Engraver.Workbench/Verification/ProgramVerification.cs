@@ -27,7 +27,7 @@ public static class ProgramVerification
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostParameters? posted = null)
     {
         posted ??= PostParameters.Defaults;
-        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation, posted.Values);
         var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
@@ -36,6 +36,7 @@ public static class ProgramVerification
         var request = judges.Request(posted.Origin?.StartCounts(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(ExtraTimeoutSeconds) + (TimeoutFactor * (expected + (posted.Origin?.RapidTime(machine) ?? TimeSpan.Zero))));
         var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);
         var report = Report(job, tolerances, faults.Count > 0 ? faults : judges.Findings(), judges.Verdicts(), bridges);
+        if (job.LetterFaults is { Count: > 0 } misplaced) report = report with { Ok = false, Diagnostics = [.. misplaced, .. report.Diagnostics] };
         if (report.Ok && judges.ResidualFinding(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
         return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
     }

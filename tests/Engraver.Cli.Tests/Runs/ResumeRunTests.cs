@@ -186,7 +186,7 @@ public sealed class ResumeRunTests : IDisposable
     private static string? Text(CliRun run, string name) => JsonText.Of(run).GetProperty(name).GetString();
 
     /// <summary>Ctrl-C at a progress report of the job.</summary>
-    private static async Task<CliRun> StoppedAsync(int report, params string[] args)
+    internal static async Task<CliRun> StoppedAsync(int report, params string[] args)
     {
         using var output = new MemoryStream();
         await using var error = new StringWriter();

@@ -335,6 +335,22 @@ public class SequencerTests
         Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
     }
 
+    [Theory]
+    [InlineData(CurveType.Text)]
+    [InlineData(CurveType.MText)]
+    [InlineData(CurveType.Attribute)]
+    public void The_ends_of_letters_are_no_gaps_and_the_ends_of_lines_beside_them_are(CurveType letters)
+    {
+        Segment Of(double x) => Segment.FromLine(new Point2D(x, 0), new Point2D(x, 5));
+        var result = Sequence(new DrawingBuilder().Curve(letters, Of(0.25), Of(0.5), Of(1.0)).Line(0, 0, 0, 5).Line(-0.5, 0, -0.5, 5), Nearest);
+        var alone = Sequence(new DrawingBuilder().Curve(letters, Of(0.25), Of(0.5), Of(1.0)), Nearest);
+
+        Assert.Equal((5, 4), (result.Open, result.Discontinuities.Count));
+        Assert.Equal([0.5, 0.5, 0.5, 0.5], result.Discontinuities.Select(end => end.Gap!.Value));
+        Assert.Equal(4, result.Diagnostics.Count(finding => finding.Id == "SEQ0003"));
+        Assert.Equal((3, 0, 0), (alone.Open, alone.Discontinuities.Count, alone.Diagnostics.Count));
+    }
+
     [Fact]
     public void A_small_gap_is_a_warning_with_place_size_and_handle()
     {

@@ -149,15 +149,37 @@ public sealed class FontLibraryTests : IDisposable
     }
 
     [Fact]
-    public void A_stroke_font_of_AutoCAD_opens_no_file_of_outlines()
+    public void Names_of_families_are_not_read_before_a_family_is_searched()
     {
-        // Each of these files would be opened by a search of families; none may be touched by this one.
-        var path = _folders.Write("fonts/a.ttf", Square("A"));
-        using var _ = new FileStream(path, FileMode.Open, FileAccess.ReadWrite, FileShare.None);
-        var found = Find(File("txt.shx"));
+        var path = _folders.Write("fonts/a.ttf", Square("First"));
+        _folders.Write("fonts/b.ttf", Square("Other"));
+        var library = Library();
+        foreach (var file in (string[])["txt.shx", "romans", "b.ttf", "nowhere.ttf"]) library.Find(File(file));
+        _folders.Write("fonts/a.ttf", Square("Later"));
 
-        Assert.Equal((FontMatch.ByTable, FontTrouble.NotFound), (found.Match, found.Trouble));
-        Assert.Same(StrokeFont.Engraver, found.Font);
+        Assert.Equal((FontMatch.Exact, path), library.Find(Family("Later")) is var found ? (found.Match, found.Path) : default);
+        Assert.Equal(FontTrouble.NotFound, library.Find(Family("First")).Trouble);
+    }
+
+    [Fact]
+    public void A_bold_request_whose_file_is_not_bold_is_the_bold_face_of_the_family()
+    {
+        WriteFamily();
+
+        Assert.Equal("bold.ttf", Path.GetFileName(Find(new FontRequest("regular.ttf", "Square", true, false)).Path));
+        Assert.Equal("bold.ttf", Path.GetFileName(Find(new FontRequest("bold.ttf", "Square", false, false)).Path));
+        Assert.Equal((FontMatch.Substitute, "regular.ttf"), Find(new FontRequest("regular.ttf", "", true, false)) is var found ? (found.Match, Path.GetFileName(found.Path)) : default);
+    }
+
+    [Fact]
+    public void Searches_of_several_threads_give_the_same_font()
+    {
+        WriteFamily();
+        var library = Library();
+        var fonts = new FoundFont[64];
+        Parallel.For(0, fonts.Length, i => fonts[i] = library.Find(i % 2 == 0 ? Family("Square") : File("bold.ttf")));
+
+        Assert.Equal(2, fonts.Distinct(ReferenceEqualityComparer.Instance).Count());
     }
 
     [Fact]

@@ -143,7 +143,7 @@ public sealed class FontSubstitutesTests : IDisposable
         var lines = File.ReadAllLines(Path.Combine(RepositoryFolder.Root, "src/Engraver.Fonts/Finding/Data/substitutes.fmp")).Where(line => line.Length > 0 && line[0] != '#').ToList();
 
         Assert.True(lines.Count > 150);
-        Assert.Empty(lines.Where(line => line.Split(';') is not [{ Length: > 0 }, { Length: > 0 }]));
+        Assert.DoesNotContain(lines, line => line.Split(';') is not [{ Length: > 0 }, { Length: > 0 }]);
         Assert.Equal(lines.Distinct(StringComparer.OrdinalIgnoreCase), lines);
     }
 

@@ -3,7 +3,8 @@ using Engraver.Fonts.StrokeFiles;
 
 namespace Engraver.Fonts.Tests.StrokeFiles;
 
-/// <summary>Fonts with changed, missing and added bytes are read or end with a <see cref="BrokenFontException"/>; no glyph has more pieces than the limit.</summary>
+/// <summary>Fonts with changed, missing and added bytes are read or end with a <see cref="BrokenFontException"/>. A glyph has at most the
+/// pieces of the limit.</summary>
 public class DamagedStrokeFontTests
 {
     private const int Rounds = 2000;

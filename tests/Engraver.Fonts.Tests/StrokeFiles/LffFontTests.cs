@@ -66,6 +66,16 @@ public class LffFontTests
     [InlineData("[41]]")]
     public void A_head_may_be_written_in_these_ways(string head) => Assert.Equal([0x41], Font($"{head}\n0,0;1,1\n").CodePoints);
 
+    [Theory]
+    [InlineData("2205")]
+    [InlineData("2300")]
+    public void The_diameter_sign_may_have_either_code(string code)
+    {
+        var font = Font($"[{code}]\n0,0;1,1\n");
+
+        Assert.All((int[])[0x2205, 0x2300], sign => Assert.Equal((true, "M0,0 L1,1"), (font.Contains(sign), StrokeText.Of(font.GlyphOf(sign)!))));
+    }
+
     [Fact]
     public void The_first_of_two_characters_with_the_same_code_counts() =>
         Assert.Equal("M0,0 L1,1", StrokeText.Of(Font("[0041]\n0,0;1,1\n\n[0041]\nC0041\n").GlyphOf('A')!));

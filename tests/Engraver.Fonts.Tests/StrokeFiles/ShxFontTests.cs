@@ -10,7 +10,7 @@ public class ShxFontTests
 
     public static TheoryData<string, byte[], string, double> Codes => new()
     {
-        // Vectors: the longer part is the length, the other one that, half or none of it.
+        // Vectors: the longer part is the length, the other one is the same, half of it, or zero.
         { "right, up", [0x20, 0x34], "M0,0 L2,0 L2,3", 2 },
         { "each direction", [0x20, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27], "M0,0 L2,0 L4,1 L6,3 L7,5 L7,7 L6,9 L4,11 L2,12", 2 },
         { "each other direction", [0x28, 0x29, 0x2A, 0x2B, 0x2C, 0x2D, 0x2E, 0x2F], "M0,0 L-2,0 L-4,-1 L-6,-3 L-7,-5 L-7,-7 L-6,-9 L-4,-11 L-2,-12", -2 },
@@ -50,6 +50,8 @@ public class ShxFontTests
         { "bulges", [13, 0, 5, 127, 0, 5, 0, 3, 0, 0x81, 0, 0, 0x10], "M0,0 A0,5,1 L0,10 A3,10,-1 L4,10", 4 },
         { "ring of bulges", [13, 4, 0, 127, 0xFC, 0, 127, 0, 0], "M0,0 A4,0,1 A0,0,1 Z", 0 },
         { "vertical only", [14, 8, 9, 9, 14, 3, 0, 14, 9, 1, 1, 2, 2, 0, 0, 14, 10, 1, 2, 14, 11, 1, 2, 3, 4, 5, 14, 12, 1, 2, 3, 14, 13, 1, 1, 5, 2, 2, 6, 0, 0, 14, 2, 14, 5, 14, 0x55, 0x10], "M0,0 L1,0", 1 },
+        { "vertical only twice", [14, 14, 3, 2, 0x10], "M0,0 L1,0", 1 },
+        { "end after vertical only", [0x10, 14, 0, 0x10], "M0,0 L1,0", 1 },
         { "nothing drawn", [2, 0x50], "", 5 },
     };
 
@@ -72,8 +74,6 @@ public class ShxFontTests
         { "half a bulge", [12, 1, 1] },
         { "bulges without an end", [13, 1, 1, 1] },
         { "unknown code", [15, 0] },
-        { "end after vertical only", [14, 0] },
-        { "vertical only twice", [14, 14, 0x10, 0] },
         { "too large", [4, 255, 4, 255, 4, 255, 0xF0, 0] },
     };
 
@@ -167,6 +167,17 @@ public class ShxFontTests
         foreach (var code in (int[])[127, 128, 0x85, 0x100]) Assert.Null(font.GlyphOf(code));
     }
 
+    [Fact]
+    public void A_font_with_Latin_1_has_its_signs_there()
+    {
+        var font = new ShxBuilder(Shapes10).With(127, 0x10).With(128, 0x20).With(129, 0x30).With(0xB0, 0x40).With(0xB1, 0x50);
+        double[] Advances() => [.. ((int[])[0xB0, 0xB1, 0x2300]).Select(code => Font(font).GlyphOf(code)!.Advance)];
+
+        Assert.Equal([4, 5, 3], Advances());
+        font.With(0xD8, 0x60);
+        Assert.Equal([4, 5, 6], Advances());
+    }
+
     [Theory]
     [InlineData(0x2205)]
     [InlineData(0x2300)]
@@ -203,6 +214,15 @@ public class ShxFontTests
         Refused([.. "Another-86 shapes 1.0\r\n"u8, 0x1A, 0, 0, 0, 0, 0, 0]);
         Refused([.. "AutoCAD-86 shapes 1.0\r\n"u8, 0x1A, 1, 0, 1, 0, 1, 0, 1, 0, 3, 0, 0, 0x10, 0]);
         Refused(new ShxBuilder(Shapes10, above: 0).With('A', 0x10).Build());
+    }
+
+    [Fact]
+    public void A_record_without_the_end_of_its_name_breaks_its_glyph_only()
+    {
+        var font = ShxFont.Read((byte[])[.. "AutoCAD-86 unifont 1.0\r\n"u8, 0x1A, 3, 0, 0, 0, 7, 0, 0, 6, 2, 0, 0, 0, 0, 65, 0, 2, 0, 1, 1, 66, 0, 3, 0, 0, 0x10, 0], "file");
+
+        Assert.Throws<BrokenFontException>(() => font.GlyphOf('A'));
+        Assert.Equal(1, font.GlyphOf('B')!.Advance);
     }
 
     [Fact]

@@ -4,7 +4,7 @@ namespace Engraver.Cli.Output.Jobs;
 
 /// <summary>What <c>engraver certify --check --json</c> prints; names and meanings are the runner's contract.</summary>
 /// <param name="Standing">One of the words <c>stands</c>, <c>none</c> and <c>stale</c>.</param>
-/// <param name="Differs">drawing, profile, target, program and keys of settings.</param>
+/// <param name="Differs">drawing, profile, fonts, target, program and keys of settings.</param>
 /// <param name="Problem">Why the file is not a valid certificate; null when it is valid or missing.</param>
 internal sealed record CertificateCheckJson(string Standing, string File, IReadOnlyList<string> Differs, string? Problem)
 {

@@ -28,6 +28,7 @@ internal sealed class CertifyVerb
     private readonly Option<bool> _check = new("--check") { Description = Wording.Get("Certify.Check") };
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
     private readonly Option<string> _mode = ModeOption.New();
+    private readonly Option<string?> _values = ValuesOption.New();
     private readonly Option<bool> _json = JsonOption.New();
 
     private CertifyVerb(VerbHost host)
@@ -42,7 +43,7 @@ internal sealed class CertifyVerb
         var verb = new CertifyVerb(host);
         var command = new Command("certify", Wording.Get("Certify.Summary"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._target, verb._dialect, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._target, verb._dialect, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json, verb._values]) command.Options.Add(option);
         verb._posted.AddTo(command, verb.Target);
         command.SetAction(verb.RunAsync);
         return command;
@@ -61,6 +62,7 @@ internal sealed class CertifyVerb
             PostParameters = Posted(parsed) with { Start = parsed.GetValue(_program) is { } started ? _host.SavedStart(parsed, started) : null },
             Address = parsed.GetValue(_connect),
             Strategy = strategy,
+            Values = ValuesOption.Read(parsed.GetValue(_values)),
         };
         var place = parsed.GetValue(_output) ?? CertificateFile.PathOf(file, request.Target.Post.Name, request.Dialect);
         return parsed.GetValue(_check) ? Check(parsed, request, place) : await CertifyAsync(parsed, request, place, stop).ConfigureAwait(false);

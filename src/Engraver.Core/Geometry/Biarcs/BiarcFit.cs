@@ -36,6 +36,21 @@ public static class BiarcFit
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
     }
 
+    /// <summary>A contour with its ellipses and splines replaced by arcs and lines as above; lines and arcs remain as given.</summary>
+    /// <param name="contour">Any segments.</param>
+    /// <param name="maxError">As above, for each curve.</param>
+    public static IReadOnlyList<Segment> FitContour(IEnumerable<Segment> contour, double maxError)
+    {
+        var segments = new List<Segment>();
+        foreach (var segment in contour)
+        {
+            if (segment.IsFreeCurve) segments.AddRange(Fit(segment.Curve, maxError));
+            else segments.Add(segment);
+        }
+
+        return segments;
+    }
+
     /// <summary>Sine by which the last arc may differ from the curve's end direction: at the end of a spline that closes without a corner, up to the limit of a
     /// corner.</summary>
     private static double EndDirection(RationalCurve curve, SmoothRun run) =>

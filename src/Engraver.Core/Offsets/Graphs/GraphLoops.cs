@@ -1,18 +1,5 @@
 namespace Engraver.Core.Offsets.Graphs;
 
-/// <summary>Whether the edges of a run bound the area.</summary>
-internal enum RunUse : byte
-{
-    /// <summary>Both of its sides are inside, or both outside.</summary>
-    None,
-
-    /// <summary>The area is on the left.</summary>
-    Forwards,
-
-    /// <summary>The area is on the right: the run is reversed.</summary>
-    Backwards,
-}
-
 /// <summary>The edges of a graph that bound an area, and the loops that they form.</summary>
 /// <remarks>Between two crossings a chain is either completely part of the boundary or not at all, so that one decision is made for a whole run. At every node
 /// the numbers of arriving and leaving boundary edges must be equal: where they are not, a crossing at a very small angle was evaluated in two ways, and the
@@ -164,7 +151,7 @@ internal sealed class GraphLoops
         return crowded[node] = ([], []);
     }
 
-    /// <summary>Where several loops touch in a node, each continues along the boundary of the free sector at which it arrived: the first edge clockwise. Loops
+    /// <summary>Where several loops touch in a node, each continues along the boundary of the sector at which it arrived: the first edge clockwise. Loops
     /// touch there and do not cross.</summary>
     private void Pair(int node, List<int> arriving, List<int> leaving, int[] next)
     {

@@ -4,16 +4,6 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets.Graphs;
 
-/// <summary>Which common points of two pieces become nodes.</summary>
-internal enum PieceContact : byte
-{
-    /// <summary>Points where pieces cross, and the ends of common parts. Neighbours that are almost tangent meet only in their joint.</summary>
-    Crossings,
-
-    /// <summary>Also the ends of pieces that touch another piece.</summary>
-    CrossingsAndEnds,
-}
-
 /// <summary>Chains of pieces cut at every point where they cross: nodes and edges. Points that coincide within the tolerance are one node, so that edges are
 /// joined by number and never by distance.</summary>
 internal sealed class PieceGraph
@@ -47,7 +37,9 @@ internal sealed class PieceGraph
     public static PieceGraph From(PieceTree tree, (int Start, int End)[] ends, NodeMerger nodes, double tolerance, PieceContact contact)
     {
         var graph = new PieceGraph([.. tree.Pieces], ends, nodes, tolerance, contact);
-        graph.AddEdges(graph.FindCuts(tree));
+        var cuts = graph.FindCuts(tree);
+        if (contact == PieceContact.CrossingsAndEnds) graph.CutPassing(tree, cuts);
+        graph.AddEdges(cuts);
         graph.FindBundles();
         return graph;
     }
@@ -115,6 +107,29 @@ internal sealed class PieceGraph
         var node = _nodes.NodeAt(crossing.Place, EndAt(first, crossing.OnFirst), EndAt(second, crossing.OnSecond));
         if (crossing.OnFirst is > 0.0 and < 1.0) cuts.Add(new PieceCut(first, crossing.OnFirst, node));
         if (crossing.OnSecond is > 0.0 and < 1.0) cuts.Add(new PieceCut(second, crossing.OnSecond, node));
+    }
+
+    /// <summary>Cuts every piece that passes through a node where others cross. Of two pieces that almost coincide, a third that crosses both at a small angle
+    /// gives nodes far apart; both pieces have both nodes, so that their parts coincide.</summary>
+    private void CutPassing(PieceTree tree, List<PieceCut> cuts)
+    {
+        var (nodes, near) = (new HashSet<int>(), new List<int>());
+        var known = cuts.Select(cut => (cut.Piece, _nodes.Of(cut.Node))).ToHashSet();
+        for (var i = cuts.Count - 1; i >= 0; i--)
+        {
+            var node = _nodes.Of(cuts[i].Node);
+            if (!nodes.Add(node)) continue;
+            var place = PlaceOf(node);
+            near.Clear();
+            tree.AddNear(place, 2.0 * Tolerance, near);
+            foreach (var piece in near)
+            {
+                if (_nodes.Of(_ends[piece].Start) == node || _nodes.Of(_ends[piece].End) == node || known.Contains((piece, node)) || _pieces[piece].DistanceTo(place) > 2.0 * Tolerance) continue;
+                var (fraction, slack) = (_pieces[piece].FractionOf(place), NodeTolerances * Tolerance / _pieces[piece].Length);
+                if (fraction > slack && fraction < 1.0 - slack) cuts.Add(new PieceCut(piece, fraction, node));
+                else _nodes.NodeAt(place, node, fraction <= slack ? _ends[piece].Start : _ends[piece].End);
+            }
+        }
     }
 
     private int EndAt(int piece, double fraction) => fraction == 0.0 ? _ends[piece].Start : fraction == 1.0 ? _ends[piece].End : -1;

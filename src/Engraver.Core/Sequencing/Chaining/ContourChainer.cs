@@ -23,10 +23,11 @@ public static class ContourChainer
 
     /// <summary>The same; the segments are read, not copied.</summary>
     /// <param name="ends">Ends of the segments, within the join tolerance. Chaining consumes them.</param>
-    internal static ChainResult Chain(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights)
+    /// <param name="isLetter">Rows of letters; null if there are none.</param>
+    internal static ChainResult Chain(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights, Predicate<int>? isLetter = null)
     {
         var walker = new ContourWalker(segments, ends, joinTolerance, heights);
         var contours = walker.WalkAll();
-        return new ChainResult(contours, ContourEnds.From(contours, segments, heights), walker.Branches) { Comparisons = walker.Comparisons };
+        return new ChainResult(contours, ContourEnds.From(contours, segments, heights, isLetter), walker.Branches) { Comparisons = walker.Comparisons };
     }
 }

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ends are computed only on request:
+/// <summary>The ends of open contours, two for each, start before end, in contour order; without those of letters, which are no gaps. The distances of the nearest other ends are computed only on request:
 /// a report shows perhaps a hundred of two million ends.</summary>
 public sealed class ContourEnds : IndexedList<Discontinuity>
 {
@@ -34,15 +34,16 @@ public sealed class ContourEnds : IndexedList<Discontinuity>
     /// <summary>The row that ends there.</summary>
     public int RowOf(int index) => _rows[index];
 
-    internal static ContourEnds From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights)
+    /// <param name="isLetter">Rows of letters; null if there are none.</param>
+    internal static ContourEnds From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights, Predicate<int>? isLetter)
     {
-        var count = 2 * contours.Count(contour => !contour.Closed);
+        var count = 2 * contours.Count(contour => HasGaps(contour, isLetter));
         var (places, rows, levels) = (new Point2D[count], new int[count], new double[heights.AreFlat ? 0 : count]);
         var isApart = new bool[count / 2];
         var end = 0;
         foreach (var contour in contours)
         {
-            if (contour.Closed) continue;
+            if (!HasGaps(contour, isLetter)) continue;
             var pieces = contour.Pieces.Span;
             (places[end], rows[end]) = (pieces[0].StartIn(segments), pieces[0].Row);
             (places[end + 1], rows[end + 1]) = (pieces[^1].EndIn(segments), pieces[^1].Row);
@@ -54,13 +55,10 @@ public sealed class ContourEnds : IndexedList<Discontinuity>
         return new ContourEnds(places, rows, levels, isApart);
     }
 
-    /// <summary>Without the open contours that begin and end in such rows.</summary>
-    internal ContourEnds Without(Predicate<int> isLeftOut)
+    private static bool HasGaps(Contour contour, Predicate<int>? isLetter)
     {
-        int[] kept = [.. Enumerable.Range(0, Count / 2).Where(contour => !isLeftOut(_rows[2 * contour]) || !isLeftOut(_rows[(2 * contour) + 1]))];
-        return kept.Length == Count / 2 ? this : new ContourEnds(Pairs(_places), Pairs(_rows), _levels.Length == 0 ? [] : Pairs(_levels), [.. kept.Select(contour => _isApart[contour])]);
-
-        T[] Pairs<T>(T[] of) => [.. kept.SelectMany(contour => (T[])[of[2 * contour], of[(2 * contour) + 1]])];
+        var pieces = contour.Pieces.Span;
+        return !contour.Closed && !(isLetter is not null && isLetter(pieces[0].Row) && isLetter(pieces[^1].Row));
     }
 
     /// <summary>Separates the ends that have another end nearby from the others.</summary>

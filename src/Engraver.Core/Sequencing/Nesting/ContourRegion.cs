@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>The region inside a closed contour, with exact arcs: its area, whether a point is inside (even-odd rule), and how often the contour runs around it.</summary>
+/// <summary>The region inside a closed contour, with exact arcs: its area, whether a point is inside (even-odd rule), and how often the contour runs around
+/// it.</summary>
 public sealed class ContourRegion
 {
     private readonly Segment[] _segments;
@@ -33,7 +34,7 @@ public sealed class ContourRegion
         _crossed.Clear();
         _boxes.Value.Overlapping(new Bounds2D(place.X, place.Y, double.PositiveInfinity, place.Y), _crossed);
         var winding = 0;
-        foreach (var segment in _crossed) winding += _segments[segment].Kind == SegmentKind.Line ? LineCrossing(_segments[segment].Line, place) : ArcCrossings(_segments[segment], place);
+        foreach (var segment in _crossed) winding += _segments[segment].Kind == SegmentKind.Line ? LineCrossing(_segments[segment].Line, IsRightOf(_segments[segment].Line, place), place) : ArcCrossings(_segments[segment], place);
         return winding;
     }
 
@@ -56,15 +57,15 @@ public sealed class ContourRegion
     }
 
     /// <summary>1 for a line that crosses the ray upwards, -1 downwards; half-open in y, so that a vertex on the ray counts once.</summary>
-    private static int LineCrossing(LineSegment line, Point2D place)
+    private static int LineCrossing(LineSegment line, bool isRightOfLine, Point2D place)
     {
-        if (line.Start.Y > place.Y == line.End.Y > place.Y) return 0;
-        var fraction = (place.Y - line.Start.Y) / (line.End.Y - line.Start.Y);
-        if (!(line.Start.X + (fraction * (line.End.X - line.Start.X)) > place.X)) return 0;
-        return line.End.Y > line.Start.Y ? 1 : -1;
+        var isUpwards = line.End.Y > place.Y;
+        if (line.Start.Y > place.Y == isUpwards || isRightOfLine == isUpwards) return 0;
+        return isUpwards ? 1 : -1;
     }
 
-    /// <summary>The chord's crossing, plus a turn when the point is between chord and arc.</summary>
+    /// <summary>The chord's crossing, plus a turn when the point is between chord and arc. One comparison decides both: a point exactly on the chord is on the
+    /// same side for both.</summary>
     private static int ArcCrossings(Segment segment, Point2D place)
     {
         var arc = segment.Arc;
@@ -72,8 +73,17 @@ public sealed class ContourRegion
         var turn = isCounterClockwise ? 1 : -1;
         var isInCircle = (place - arc.Centre).LengthSquared < arc.Radius * arc.Radius;
         if (segment.Kind == SegmentKind.Circle) return isInCircle ? turn : 0;
-        var chord = LineCrossing(segment.Line, place);
-        var isRightOfChord = (segment.End - segment.Start).Cross(place - segment.Start) < 0.0;
+        var isRightOfChord = IsRightOf(segment.Line, place);
+        var chord = LineCrossing(segment.Line, isRightOfChord, place);
         return isInCircle && isRightOfChord == isCounterClockwise ? chord + turn : chord;
+    }
+
+    /// <summary>A point exactly on a line is on the left of its upward (or rightward) direction, as if it were slightly to the left and even less above: lines
+    /// of both directions and half-open ends agree.</summary>
+    private static bool IsRightOf(LineSegment line, Point2D place)
+    {
+        var isUpwards = line.End.Y > line.Start.Y || (line.End.Y == line.Start.Y && line.End.X > line.Start.X);
+        var (low, high) = isUpwards ? (line.Start, line.End) : (line.End, line.Start);
+        return (high - low).Cross(place - low) < 0.0 == isUpwards;
     }
 }

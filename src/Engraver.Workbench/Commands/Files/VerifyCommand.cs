@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
@@ -37,6 +38,7 @@ internal sealed class VerifyCommand : ICommand
         posted = posted with { Start = kept.Position };
         if (chosen is null) context.WriteMessage(Wording.Get("Verify.ReadAs", name, target.Name));
         var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, target.Reader!, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
+        report = CertifiedFonts.Compare(report, drawing, settings, target.Entry.Post.Name, target.Dialect);
         if (context.History.NoteReadBack(file, new HistoryReadBack(report.Ok, context.Time.GetUtcNow(), report.MaxDeviationMm, Certificate: null)) is { } failure) context.WriteMessage(Wording.Get("History.NotKept", failure), MessageKind.Warning);
         FindingMessages.Write(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Write(context, name, report.Diagnostics, Severity.Warning);

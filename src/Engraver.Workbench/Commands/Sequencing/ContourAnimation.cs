@@ -32,8 +32,8 @@ internal static class ContourAnimation
                     due = TimeSpan.Zero;
                 }
 
-                if (!asks || result.Strokes[stroke.Index].Closed || stroke.Index == path.Strokes.Count - 1) continue;
-                var answer = await context.ChoiceAsync(Question(result, stroke), Keyword.List("Yes", "No", "All"), "Yes").ConfigureAwait(false);
+                if (!asks || result.Strokes[stroke.Index].Closed || stroke.Index == path.Strokes.Count - 1 || Question(result, stroke) is not { } question) continue;
+                var answer = await context.ChoiceAsync(question, Keyword.List("Yes", "No", "All"), "Yes").ConfigureAwait(false);
                 if (answer == "No")
                 {
                     context.WriteMessage(Wording.Get("AutoSequence.StoppedAfter", stroke.Index + 1, path.Strokes.Count));
@@ -49,12 +49,13 @@ internal static class ContourAnimation
         }
     }
 
-    private static string Question(SequencingResult result, ToolpathStroke stroke)
+    /// <summary>Null for a stroke of a letter, whose end is no discontinuity.</summary>
+    private static string? Question(SequencingResult result, ToolpathStroke stroke)
     {
         var (ends, place, at) = (result.Discontinuities, result.Strokes[stroke.Index].End, 0);
         while (at < ends.Count && ends.PlaceOf(at) != place) at++;
-        var gap = at < ends.Count ? ends[at].Gap : null;
-        return gap is { } away
+        if (at == ends.Count) return null;
+        return ends[at].Gap is { } away
             ? Wording.Get("AutoSequence.Discontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y, away)
             : Wording.Get("AutoSequence.LastDiscontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y);
     }

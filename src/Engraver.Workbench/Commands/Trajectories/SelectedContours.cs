@@ -47,11 +47,9 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     public OffsetSide SideOf(SelectedContour contour, Point2D place)
     {
         if (!contour.Contour.Closed) return IsLeftOf(contour.Contour.Segments, place) ? OffsetSide.Left : OffsetSide.Right;
-        var region = new ContourRegion([.. All.Where(one => one.Contour.Closed).SelectMany(one => one.Contour.Segments).SelectMany(WithoutCurves)]);
+        var region = new ContourRegion([.. BiarcFit.FitContour(All.Where(one => one.Contour.Closed).SelectMany(one => one.Contour.Segments), CurveError)]);
         return region.Contains(place) ? OffsetSide.In : OffsetSide.Out;
     }
-
-    private static IEnumerable<Segment> WithoutCurves(Segment segment) => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveError) : [segment];
 
     /// <summary>By the direction at the nearest point; at a joint by the sum of both directions.</summary>
     private static bool IsLeftOf(IReadOnlyList<Segment> segments, Point2D place)

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.TextMarkup;
 using Engraver.Fonts;
+using Engraver.Shaping;
 
 namespace Engraver.Workbench.Lettering.Paragraphs;
 
@@ -69,8 +70,9 @@ internal sealed class ItemSetter(TextStyle style, double height, LetterFonts fon
             }
 
             var end = blank < 0 ? text.Length : blank;
-            var (glyphs, advance, ink) = Letters(text[at..end], format);
-            items.Add(new LineItem(LineItemKind.Letters, format, advance, format.Height) { Glyphs = glyphs, Ink = ink });
+            var word = text[at..end];
+            var (glyphs, advance, ink) = Letters(word, format);
+            items.Add(new LineItem(LineItemKind.Letters, format, advance, format.Height) { Text = word, HasRightToLeft = ComplexLine.IsComplex(word) && ComplexLine.HasRightToLeft(word), Glyphs = glyphs, Ink = ink });
             at = end;
         }
     }

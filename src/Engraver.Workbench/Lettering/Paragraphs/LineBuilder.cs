@@ -1,4 +1,5 @@
 using Engraver.Core.TextMarkup;
+using Engraver.Shaping;
 
 namespace Engraver.Workbench.Lettering.Paragraphs;
 
@@ -15,6 +16,7 @@ internal sealed class LineBuilder(ParagraphMeasures paragraph)
     private (double Position, ParagraphAlignment Alignment)? _stop;
     private double _length;
     private double _inked;
+    private bool _hasRightToLeft;
 
     public bool HasItems => _items.Count > 0;
 
@@ -44,29 +46,46 @@ internal sealed class LineBuilder(ParagraphMeasures paragraph)
             return;
         }
 
-        _items.Add(new PlacedItem(item, _length));
-        if (item.HasInk) _inked = Math.Max(_inked, _length + item.Ink.Right);
-        _length += item.Advance;
+        _hasRightToLeft |= item.HasRightToLeft;
+        Place(item);
     }
 
     /// <param name="height">Of letters at this place.</param>
     public SetLine Finish(LineEnd end, double height)
     {
+        if (HasItems) height = _items[0].Item.Format.Height;
+        while (end == LineEnd.Wrapped && HasItems && _items[^1].Item.IsGap) _items.RemoveAt(_items.Count - 1);
+        _segmentFirst = Math.Min(_segmentFirst, _items.Count);
         EndSegment();
-        var count = _items.Count;
-        while (end == LineEnd.Wrapped && count > 0 && _items[count - 1].Item.IsGap) count--;
-        return new SetLine(paragraph, [.. _items.Take(count)], _left, count == 0 && HasItems ? _items[0].Item.Format.Height : height, _isFirst, end);
+        return new SetLine(paragraph, [.. _items], _left, height, _isFirst, end);
     }
 
     private void StartSegment(double from, (double Position, ParagraphAlignment Alignment)? stop)
     {
         (_segmentFirst, _segmentFrom, _stop) = (_items.Count, from, stop);
+        (_length, _inked, _hasRightToLeft) = (0.0, 0.0, false);
+    }
+
+    /// <summary>Places the items of the segment in the order in which they are seen.</summary>
+    private void Reorder()
+    {
+        var items = _items.Skip(_segmentFirst).Select(place => place.Item).ToArray();
+        _items.RemoveRange(_segmentFirst, items.Length);
         (_length, _inked) = (0.0, 0.0);
+        foreach (var i in ComplexLine.OrderOf([.. items.Select(item => item.Text)])) Place(items[i]);
+    }
+
+    private void Place(LineItem item)
+    {
+        _items.Add(new PlacedItem(item, _length));
+        if (item.HasInk) _inked = Math.Max(_inked, _length + item.Ink.Right);
+        _length += item.Advance;
     }
 
     /// <summary>Places the items of the segment; returns the pen after it.</summary>
     private double EndSegment()
     {
+        if (_hasRightToLeft) Reorder();
         var start = SegmentStart(_inked);
         for (var i = _segmentFirst; i < _items.Count; i++) _items[i] = _items[i] with { X = _items[i].X + start };
         return start + _length;

@@ -5,6 +5,12 @@ namespace Engraver.Workbench.Lettering.Paragraphs;
 /// <param name="Body">The height that is aligned in the line: of capital letters, or of the whole stack.</param>
 internal sealed record LineItem(LineItemKind Kind, SetFormat Format, double Advance, double Body)
 {
+    /// <summary>Its characters; for a stack the sign of an object.</summary>
+    public string Text { get; init; } = Kind == LineItemKind.Stack ? "\uFFFC" : " ";
+
+    /// <summary>A part of the text is written from right to left.</summary>
+    public bool HasRightToLeft { get; init; }
+
     public IReadOnlyList<GlyphPlace> Glyphs { get; init; } = [];
 
     /// <summary>The bar of a fraction.</summary>

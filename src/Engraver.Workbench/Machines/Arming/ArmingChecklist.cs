@@ -43,6 +43,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckTerminology speech, ArmingCheck? certificate) => new(
     [
         .. OfDrawing(job, errorsAccepted, speech),
+        .. Values(job),
         .. certificate is null ? Array.Empty<ArmingCheck>() : [certificate with { Message = speech.ApplyTerminology(certificate.Message) }],
         .. OfMachine(status, now, speech),
         UnlessStale(status, now, Origin(job, placement, speech)),
@@ -56,6 +57,11 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : speech.ApplyTerminology(Wording.Get(errorsAccepted ? "ArmingChecklist.DrawingHasAcceptedErrors" : "ArmingChecklist.DrawingHasErrors", CountText.Format(errors, "Error"))));
         yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobSize", CountText.Format(program.SegmentCount, "Segment")) : job.NoProgramReason);
+    }
+
+    private static IEnumerable<ArmingCheck> Values(PreparedJob job)
+    {
+        if (job.Plate is { } plate) yield return Note(Wording.Get("ArmingChecklist.Plate", plate.Number, plate));
     }
 
     private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckTerminology speech)

@@ -11,10 +11,16 @@ namespace Engraver.Workbench.Machines.Runs;
 /// work would be cut differently.</summary>
 internal static class JournalSettings
 {
+    /// <summary>Before the name of a font, as the drawing requests it.</summary>
+    private const string Font = "font ";
+
     /// <summary>Fields of the profile that do not affect the cut.</summary>
     private static readonly FrozenSet<string> s_ignoredFields = FrozenSet.Create(StringComparer.Ordinal, "costPerHour", "costPerMetre", "costPerStart", "inputs", "outputs", "jogMmPerMinute", "travelX", "travelY", "travelZ");
 
-    /// <summary>Values by the keys of docs/settings.md and the fields of docs/machine-profile.md.</summary>
+    /// <summary>Key of the plate, which is not a setting.</summary>
+    public const string PlateKey = "plate";
+
+    /// <summary>Values by the keys of docs/settings.md and the fields of docs/machine-profile.md; the font that is cut by <c>font NAME</c>.</summary>
     public static IReadOnlyDictionary<string, string> Of(PreparedJob job)
     {
         var settings = job.Recorded;
@@ -26,6 +32,8 @@ internal static class JournalSettings
             if (field.Value.ValueKind != JsonValueKind.Null && !s_ignoredFields.Contains(field.Name)) words[field.Name] = string.Concat(field.Value.ToString().Where(letter => !char.IsWhiteSpace(letter)));
         }
 
+        if (job.Plate is { } plate) words[PlateKey] = plate.ToJson();
+        foreach (var font in job.Fonts) words[Font + font.Requested] = $"{font.Font} ({font.Match}, SHA-256 {font.Sha256})";
         return words;
     }
 
@@ -44,7 +52,7 @@ internal static class JournalSettings
 
     private static Setting? Setting(string key) => SettingTable.Find(key) ?? SettingTable.All.FirstOrDefault(setting => setting.JsonField == key);
 
-    private static string Name(string key) => Setting(key)?.Name ?? key;
+    private static string Name(string key) => key.StartsWith(Font, StringComparison.Ordinal) ? Wording.Get("Resume.Font", key[Font.Length..]) : Setting(key)?.Name ?? key;
 
     private static string Value(string key, IReadOnlyDictionary<string, string> words) =>
         words.GetValueOrDefault(key) is { } word ? $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");

@@ -83,6 +83,7 @@ public static class MachineRun
         var unready = await RefusalAsync(placement, options.Lease ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
         if (unready is not null) return new MachineRunReport(JobResult.NotStarted(placement.Program.Strokes.Count, Wording.Get("MachineRun.NotReady", unready)), RunJudgement.Unknown, machine.Identity.Model, planned);
+        if (options.Starting is { } starting && await starting(stop).ConfigureAwait(false) is { } unstarted) return MachineRunReport.NotBegun(unstarted, placement.Program, machine.Identity.Model, planned);
         var judged = await RunPlacedAsync(job, placement, beginning, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned)
         {

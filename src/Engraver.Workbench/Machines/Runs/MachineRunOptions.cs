@@ -45,6 +45,9 @@ public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrat
     /// were already run (ARM).</summary>
     public Func<MachineStatus, JobPlacement, string?>? CheckStart { get; init; }
 
+    /// <summary>Called when everything has been checked, right before the job takes the machine; returns why it must not, or null. Null for none.</summary>
+    public Func<CancellationToken, Task<Diagnostic?>>? Starting { get; init; }
+
     /// <summary>Receives findings before the first motion, on the thread of the job.</summary>
     public Action<Diagnostic>? FindingReported { get; init; }
 }

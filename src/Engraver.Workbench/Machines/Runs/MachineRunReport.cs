@@ -39,6 +39,13 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>Why the job could not be resumed; null if it was, or for a job from the start.</summary>
     public Diagnostic? ResumeRefusal { get; private init; }
 
+    /// <summary>Why <see cref="MachineRunOptions.Starting"/> did not let the job start; null if it did.</summary>
+    public Diagnostic? StartRefusal { get; private init; }
+
+    /// <summary>Report of a job that was refused right before its start.</summary>
+    internal static MachineRunReport NotBegun(Diagnostic refused, MotionProgram program, string controller, double plannedSeconds) =>
+        new(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, controller, plannedSeconds) { StartRefusal = refused };
+
     /// <summary>Report of a job that does not match its journal.</summary>
     internal static MachineRunReport NotResumed(Diagnostic refused, MotionProgram program, string controller) =>
         new(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, controller, 0.0) { ResumeRefusal = refused };

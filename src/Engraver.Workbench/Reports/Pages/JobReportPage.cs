@@ -216,6 +216,7 @@ public static class JobReportPage
         page.Pairs(
         [
             .. SettingValues.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
+            .. report.Job.Fonts.Select((font, i) => new PagePair(Wording.Get("JobReport.Font", font.Requested), Wording.Get("JobReport.FontTaken", font.Font, font.Sha256), string.Create(CultureInfo.InvariantCulture, $"font.{i}"))),
             new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X.CountsPerMillimetre:0.###} × {machine.Scale.Y.CountsPerMillimetre:0.###}")),

@@ -116,6 +116,18 @@ public class LineBreakTests
         Assert.Equal(Advance("HO"), glyphs[2].Map.Origin.X, Decimals);
     }
 
+    /// <summary>The words have different widths: the stroke font has boxes for their letters.</summary>
+    [Fact]
+    public void Words_from_right_to_left_are_in_the_order_in_which_they_are_seen()
+    {
+        var scale = Height / Font.Metrics.CapHeight;
+        Assert.Equal([1.0, 4.0, 3.0, 2.0, 1.0], Of(@"H \W2;\U+05D0 \W3;\U+05D1 \W4;\U+05D2 \W1;H").Glyphs.Select(glyph => Math.Round(glyph.Map.XAxis.X / scale, 9)));
+        Assert.Equal([4.0, 3.0, 2.0], Of(@"\W2;\U+05D0 \W3;\U+05D1 \W4;7").Glyphs.Select(glyph => Math.Round(glyph.Map.XAxis.X / scale, 9)));
+        Assert.Equal([3.0, 2.0, 4.0], Of(@"\W2;\U+05D0 \W3;\U+05D1 \W4;\U+05D2", Wrapped(60.0)).Glyphs.Select(glyph => Math.Round(glyph.Map.XAxis.X / scale, 9)));
+        var glyphs = Of(@"\U+05D0 \U+05D1 \U+05D2").Glyphs;
+        Assert.Equal(glyphs.OrderBy(glyph => glyph.Map.Origin.X), glyphs);
+    }
+
     private static WrittenParagraphs Wrapped(double width) => new() { ReferenceWidth = width };
 
     private static bool Near(double expected, double actual) => Math.Abs(expected - actual) < 1e-9;

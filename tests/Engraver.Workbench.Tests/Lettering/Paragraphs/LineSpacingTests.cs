@@ -80,6 +80,22 @@ public class LineSpacingTests
         foreach (var raw in (string[])[@"H\PH", @"H\Pp", @"H\P\H0.5x;H"]) Assert.Equal(Height / 3.0, Baselines(raw, new() { LineSpacingStyle = 2, Attachment = 7 })[^1], 9);
     }
 
+    /// <summary>Multiples of the height that AutoCAD wrote for texts of simplex.shx (embedded object, group 43): lines, blanks and empty paragraphs.</summary>
+    [Theory]
+    [InlineData("x", 0.0, 1.0)]
+    [InlineData("Xxp^Jabc", 0.0, 2.66667)]
+    [InlineData(@"a\Pab\PXpc\Pabcdef", 125.0, 6.0)]
+    [InlineData(" abc     def            b", 36.01617, 4.33333)]
+    [InlineData(@" abc\Pabcd", 8.347565, 4.33333)]
+    [InlineData("                       spc                       def", 37.50425, 4.33333)]
+    [InlineData(@"\Pabc  \Pabcabcabc\Pa\P\Pb", 36.01617, 9.33333)]
+    public void Boxes_have_the_heights_that_AutoCAD_wrote(string raw, double width, double heights)
+    {
+        var layout = Of(raw, new() { ReferenceWidth = width, Attachment = 7 });
+        var top = Of(raw, new() { ReferenceWidth = width }).Glyphs[0].Map.Origin.Y;
+        Assert.Equal(heights * Height, layout.Glyphs[0].Map.Origin.Y - top, 4);
+    }
+
     [Fact]
     public void Lower_letters_are_at_the_bottom_the_centre_or_the_top_of_the_line()
     {

@@ -1,4 +1,6 @@
-namespace Engraver.Fonts.Tests;
+using Xunit;
+
+namespace Engraver.TestKit;
 
 /// <summary>A test that uses DejaVu Sans (Debian: fonts-dejavu-core); skipped if it is not installed. ./test installs it if permitted.</summary>
 [AttributeUsage(AttributeTargets.Method)]
