@@ -114,8 +114,8 @@ internal sealed class RunVerb
         if (parsed.GetValue(_trajectory) && _series.Requested(parsed) is { } several) throw new UsageException(Wording.Get("Series.NotWithTrajectory", several));
         var file = _drawing.File(parsed);
         var drawing = await StoppableVerb.ComputeAsync(() => DrawingFile.Open(file, settings, stop), stop).ConfigureAwait(false);
-        var mayAsk = !parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory);
-        if (mayAsk && await TextQuestion.AskAsync(_host, drawing, settings, stop).ConfigureAwait(false) is { } engraving) settings = _settings = engraving;
+        var asksForTexts = !parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory);
+        if (asksForTexts && await TextQuestion.AskAsync(_host, drawing, settings, stop).ConfigureAwait(false)) _settings = settings = settings with { Cut = settings.Cut | CutChoice.Text };
         var fields = parsed.GetValue(_trajectory) ? PlateFields.Of([]) : JobPreparation.FieldsOf(drawing, settings);
         if (fields.Any || _series.Requested(parsed) is not null) return await RunSeriesAsync(parsed, drawing, settings, strategy, fields, stop).ConfigureAwait(false);
         var (machine, findings) = await RunPlateAsync(parsed, drawing, settings, strategy, null, stop).ConfigureAwait(false);
