@@ -9,8 +9,8 @@ using Engraver.Workbench.Machines.Arming;
 namespace Engraver.Workbench.Certificates;
 
 /// <summary>The status of the certificate beside a job's drawing.</summary>
-/// <param name="Differences">What has changed: <c>drawing</c>, <c>profile</c>, <c>fonts</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is
-/// stale.</param>
+/// <param name="Differences">What has changed: <c>drawing</c>, <c>profile</c>, <c>fonts</c>, <c>target</c>, <c>program</c> and keys of settings; empty
+/// unless it is stale.</param>
 /// <param name="Certificate">Null when none can be read.</param>
 public sealed record CertificateStatus(CertificateState State, IReadOnlyList<string> Differences, JobCertificate? Certificate)
 {

@@ -47,8 +47,8 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
 
-    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), misplaced letters (VER0023) and fields without a value, which cannot be accepted;
-    /// empty for every job that may be run or posted.</summary>
+    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), misplaced letters (VER0023) and fields without a value, which cannot be
+    /// accepted; empty for every job that may be run or posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
 
     /// <summary>Those of <see cref="Faults"/> that are misplaced letters.</summary>

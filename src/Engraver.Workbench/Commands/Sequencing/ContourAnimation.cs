@@ -49,7 +49,7 @@ internal static class ContourAnimation
         }
     }
 
-    /// <summary>Null for a stroke of a letter, whose end is no discontinuity.</summary>
+    /// <summary>Null for a stroke of a letter, whose end is not a discontinuity.</summary>
     private static string? Question(SequencingResult result, ToolpathStroke stroke)
     {
         var (ends, place, at) = (result.Discontinuities, result.Strokes[stroke.Index].End, 0);
