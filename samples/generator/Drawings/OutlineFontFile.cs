@@ -48,7 +48,7 @@ internal static class OutlineFontFile
 
     private static int Units(double length) => (int)Math.Round(length * UnitsPerLetterUnit);
 
-    /// <summary>Outer contours run clockwise in a TrueType font, the letters are drawn the other way round.</summary>
+    /// <summary>Outer contours run clockwise in a TrueType font; the letters are drawn counter-clockwise.</summary>
     private static byte[] GlyphOf(OutlineGlyph letter)
     {
         var contours = letter.Contours.Select(contour => PointsOf(contour).Reverse().ToList()).ToList();

@@ -14,6 +14,9 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
     private readonly DesktopModel _desk;
     private readonly InputHistory _inputs = new();
     private PromptView _shown = PromptView.Idle;
+
+    /// <summary>Identifies the prompt whose default is in the line.</summary>
+    private object? _edited;
     private string _line = "";
     private IReadOnlyList<CommandSuggestion> _suggestions = [];
     private int _suggested = -1;
@@ -56,6 +59,7 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
         set
         {
             if (!SetProperty(ref _line, value ?? "")) return;
+            _desk.TypedLine = _line;
             Suggest();
         }
     }
@@ -177,6 +181,15 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
         Suggested = -1;
     }
 
+    /// <summary>Puts the default of a prompt that edits it into the empty line, once.</summary>
+    private void EditDefault()
+    {
+        var typed = _desk.Prompt.EditsDefault ? _desk.Prompt.TypedGhost : null;
+        if (Equals(typed, _edited)) return;
+        _edited = typed;
+        if (typed is not null && Line.Length == 0) Line = _desk.Prompt.Default ?? "";
+    }
+
     private void OnMessagesAdded(IReadOnlyList<CommandMessage> messages)
     {
         foreach (var message in messages)
@@ -191,6 +204,7 @@ public sealed class CommandWindowModel : ObservableObject, IVisibilityAware
     private void OnChanged()
     {
         OnPropertyChanged(nameof(Instruction));
+        EditDefault();
         if (ReferenceEquals(_shown.Options, _desk.Prompt.Options)) return;
         _shown = _desk.Prompt;
         OnPropertyChanged(nameof(Options));

@@ -22,7 +22,10 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public PointRequest? Aim => desk.Prompt.PointRequest;
 
-    public GhostFunction? Preview => desk.Prompt.Preview;
+    /// <summary>The function of the typed line that is shown; the same one while the line is the same, so that it is not computed again.</summary>
+    private (Func<string, IReadOnlyList<Segment>>? Typed, string Line, GhostFunction? Preview) _typed;
+
+    public GhostFunction? Preview => desk.Prompt.TypedGhost is { } typed ? PreviewOf(typed, desk.TypedLine) : desk.Prompt.Preview;
 
     public string Instruction => PromptLine.WithoutOptions(desk.Prompt.Text);
 
@@ -42,6 +45,12 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     }
 
     public void Cancel() => cancel();
+
+    private GhostFunction? PreviewOf(Func<string, IReadOnlyList<Segment>> typed, string line)
+    {
+        if (_typed.Typed != typed || _typed.Line != line) _typed = (typed, line, _ => typed(line));
+        return _typed.Preview;
+    }
 
     public void PointGiven(Point2D place, bool remove) => _ = (remove, Aim) switch
     {

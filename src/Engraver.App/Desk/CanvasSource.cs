@@ -30,6 +30,7 @@ public sealed class CanvasSource
         canvas.PictureDrawn += () => _firstPicture.OnShown(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
         desk.Notifications.Changed += Refresh;
         desk.Derived.ToolMoved += ShowTool;
+        desk.TypedLineChanged += canvas.Pointing.UpdatePointRequest;
         Refresh();
     }
 

@@ -50,6 +50,21 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>The point of the drawing that a click would give now; null while the cursor is not on the canvas.</summary>
     public Point2D? Cursor { get; set; }
 
+    /// <summary>The line that is typed and not yet entered.</summary>
+    public string TypedLine
+    {
+        get;
+        set
+        {
+            if (field == value) return;
+            field = value;
+            TypedLineChanged?.Invoke();
+        }
+    } = "";
+
+    /// <summary>Another line is typed.</summary>
+    public event Action? TypedLineChanged;
+
     /// <summary>True while a job runs or anything of the machine moves.</summary>
     public bool IsMoving => Moves(Session.Machine);
 

@@ -19,10 +19,11 @@ public static class MenuLayout
         {
             Submenus = [new("DraftingAids", ["GRID", "SNAP", "ORTHO", "POLAR", "OSNAP", "DYNAMICINPUT", Separator, "OSMODE", "APERTURE", "POLARANG", "POLARTRACK"])],
         },
-        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", Separator, "Menu.ObjectProperties", "Menu.Measure", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", "Menu.Reading"])
+        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", "Menu.Text", Separator, "Menu.ObjectProperties", "Menu.Measure", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", "Menu.Reading"])
         {
             Submenus =
             [
+                new("Text", ["TEXT", "MTEXT", Separator, "DDEDIT", "TXTEXP", Separator, "STYLE", "MIRRTEXT", Separator, "CNCTEXT"]),
                 new("ObjectProperties", ["LAYER", "CLAYER", Separator, "PROPERTIES", "CHPROP", "MATCHPROP", "LIST"]),
                 new("Measure", ["DIST", "ID", "AREA", Separator, "LUPREC", "AUPREC"]),
                 new("Reading", ["CNCUNITS", "CNCCUT"]),
@@ -52,7 +53,7 @@ public static class MenuLayout
     public static IReadOnlyList<string> OnCanvas { get; } = ["ZOOM", "PAN", "REGEN", Separator, "SELECT", "Window.SelectAll", Separator, "U", "REDO", Separator, "OPTIONS"];
 
     /// <summary>The same with selected objects.</summary>
-    public static IReadOnlyList<string> OnSelection { get; } = ["ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "PAN", Separator, "LIST", "PROPERTIES"];
+    public static IReadOnlyList<string> OnSelection { get; } = ["ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", Separator, "DDEDIT", "TXTEXP", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "PAN", Separator, "LIST", "PROPERTIES"];
 
     /// <summary>The menus of the existing commands.</summary>
     public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)

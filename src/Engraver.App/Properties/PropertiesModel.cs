@@ -9,7 +9,6 @@ using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Properties;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Properties;
 
@@ -52,7 +51,7 @@ public sealed class PropertiesModel : ObservableObject
     private List<PropertyLine> LinesOf(Drawing drawing, EntityTable? table, IReadOnlyList<int> selection, DisplayPrecision figures)
     {
         var lines = new List<PropertyLine>();
-        var values = ObjectProperties.Of(ShownDrawing.Of(drawing), selection, figures);
+        var values = ObjectProperties.Of(drawing, selection, figures);
         foreach (var section in values.GroupBy(value => value.Property.IsGeneral))
         {
             lines.Add(PropertyLine.Header(Text.Get(section.Key ? "Properties.General" : "Properties.Geometry")));

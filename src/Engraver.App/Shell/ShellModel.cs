@@ -23,6 +23,7 @@ using Engraver.App.StatusBar;
 using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.App.Terminals;
+using Engraver.App.TextOffers;
 using Engraver.App.Texts;
 using Engraver.App.Trajectories;
 using Engraver.Workbench.Machines;
@@ -46,6 +47,7 @@ public sealed class ShellModel : ObservableObject
         Options = new OptionsModel(desk);
         Files = new FileQuestions(desk, Command.TakeLine);
         Recent = new RecentDrawings(desk);
+        TextOffer = new TextOfferModel(desk);
         StartPage = new StartPageModel(desk, Files, Recent, commandOf("OPEN"));
         Tools = ToolColumn.For(desk, commandOf);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
@@ -72,6 +74,9 @@ public sealed class ShellModel : ObservableObject
     public FileQuestions Files { get; }
 
     public RecentDrawings Recent { get; }
+
+    /// <summary>The offer to engrave texts that would not be cut.</summary>
+    public TextOfferModel TextOffer { get; }
 
     /// <summary>The start page on the empty canvas.</summary>
     public StartPageModel StartPage { get; }

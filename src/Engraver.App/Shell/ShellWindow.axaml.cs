@@ -15,6 +15,7 @@ using Engraver.App.Properties;
 using Engraver.App.Safety;
 using Engraver.App.StartPage;
 using Engraver.App.Terminals;
+using Engraver.App.TextOffers;
 
 namespace Engraver.App.Shell;
 
@@ -37,6 +38,7 @@ public partial class ShellWindow : Window
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
+        Canvas.Children.Add(new TextOfferView { Name = "TextOffer", DataContext = Model.TextOffer });
         Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
         Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.SetCursor, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);

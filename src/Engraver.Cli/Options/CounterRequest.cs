@@ -27,7 +27,6 @@ internal sealed record CounterRequest(CounterChoice Choice, IReadOnlyDictionary<
         AllowMultipleArgumentsPerToken = false,
         Arity = ArgumentArity.OneOrMore,
         CustomParser = result => Parse(result, allowsChoice),
-        DefaultValueFactory = _ => None,
     };
 
     private static CounterRequest Parse(ArgumentResult result, bool allowsChoice)

@@ -114,6 +114,8 @@ internal sealed class RunVerb
         if (parsed.GetValue(_trajectory) && _series.Requested(parsed) is { } several) throw new UsageException(Wording.Get("Series.NotWithTrajectory", several));
         var file = _drawing.File(parsed);
         var drawing = await StoppableVerb.ComputeAsync(() => DrawingFile.Open(file, settings, stop), stop).ConfigureAwait(false);
+        var asksForTexts = !parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory);
+        if (asksForTexts && await TextQuestion.AskAsync(_host, drawing, settings, stop).ConfigureAwait(false)) _settings = settings = settings with { Cut = settings.Cut | CutChoice.Text };
         var fields = parsed.GetValue(_trajectory) ? PlateFields.Of([]) : JobPreparation.FieldsOf(drawing, settings);
         if (fields.Any || _series.Requested(parsed) is not null) return await RunSeriesAsync(parsed, drawing, settings, strategy, fields, stop).ConfigureAwait(false);
         var (machine, findings) = await RunPlateAsync(parsed, drawing, settings, strategy, null, stop).ConfigureAwait(false);
@@ -145,6 +147,7 @@ internal sealed class RunVerb
 
                 using var turn = plan.Turn(index);
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
+                await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
                 if (machine == ExitCode.Done) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
@@ -156,6 +159,7 @@ internal sealed class RunVerb
         catch (CounterException refused) when (refused.Finding is { } finding)
         {
             _host.Report(parsed, drawing.FileName, [finding]);
+            if (finding.Rule == SerialRules.PlateNotFinished) await _host.Error.WriteLineAsync(Wording.Get("Series.Decide")).ConfigureAwait(false);
             ReportNotStarted(null, Wording.Get("Series.NotReady"));
             return ExitCode.Usage;
         }

@@ -63,10 +63,10 @@ public sealed record Drawing(
     /// <summary>True for a box whose corners are not above the largest coordinate.</summary>
     public static bool Holds(Bounds2D box) => Holds(box.MinX) && Holds(box.MaxX) && Holds(box.MinY) && Holds(box.MaxY);
 
-    /// <summary>The highest handle of an entity; 0 when none has one.</summary>
+    /// <summary>The highest handle of an entity or a text; 0 when none has one.</summary>
     public ulong HighestHandle()
     {
-        var highest = 0UL;
+        var highest = Texts.Count == 0 ? 0UL : Texts.Max(text => text.Handle);
         for (var index = 0; index < Entities.Count; index++) highest = Math.Max(highest, Entities[index].Handle);
         return highest;
     }

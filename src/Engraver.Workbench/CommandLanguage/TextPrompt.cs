@@ -7,5 +7,11 @@ public sealed record TextPrompt(string Instruction) : ValuePrompt<string>(Instru
 {
     public override bool AllowsSpaces => true;
 
+    /// <summary>The command line begins with the default, to be edited.</summary>
+    public bool EditsDefault { get; init; }
+
+    /// <summary>Preview for a typed line that is not yet entered, drawing units; null without a preview.</summary>
+    public Func<string, IReadOnlyList<Segment>>? TypedGhost { get; init; }
+
     public override ParsedInput<string> Parse(string typed, Point2D lastPoint) => new ParsedInput<string>.Value(typed);
 }

@@ -10,6 +10,7 @@ using Engraver.Workbench.Commands.Reshaping;
 using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Commands.Session;
 using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Commands.Texts;
 using Engraver.Workbench.Commands.Toolpaths;
 using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Commands.View;
@@ -36,6 +37,7 @@ public sealed class CommandCatalog
         new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new LanguageCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
         new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
         new LineCommand(), new PolylineCommand(), new CircleCommand(), new ArcCommand(), new RectangleCommand(), new PolygonCommand(), new EllipseCommand(),
+        new TextCommand(), new MTextCommand(), new TextEditCommand(), new StyleCommand(), new TextExplodeCommand(), new CncTextCommand(),
         new EraseCommand(), new MoveCommand(), new CopyCommand(), new GripEditCommand(), new ChPropCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
         .. TrimCommand.All, .. FilletCommand.All, new BreakCommand(), new StretchCommand(), new MatchPropertiesCommand(),
         new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),

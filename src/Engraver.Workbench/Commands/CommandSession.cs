@@ -117,7 +117,7 @@ public sealed class CommandSession : IAsyncDisposable
             return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.PromptPrefix, asks.Prompt) : PromptView.Idle;
 
             PromptView View(CommandFrame frame, string before, Prompt asks) =>
-                new(frame.Info.Name, before + asks.TextIn(Settings.Current.Figures()), asks.Options, asks.Default, asks.AllowsSpaces, asks.PointRequest) { Preview = asks.Preview, FileRequest = asks.FileRequest, ConfirmsReplacing = asks.ConfirmsReplacing };
+                new(frame.Info.Name, before + asks.TextIn(Settings.Current.Figures()), asks.Options, asks.Default, asks.AllowsSpaces, asks.PointRequest) { Preview = asks.Preview, TypedGhost = (asks as TextPrompt)?.TypedGhost, EditsDefault = asks is TextPrompt { EditsDefault: true }, FileRequest = asks.FileRequest, ConfirmsReplacing = asks.ConfirmsReplacing };
         }
     }
 

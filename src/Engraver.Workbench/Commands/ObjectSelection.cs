@@ -130,11 +130,19 @@ internal static class ObjectSelection
         "Window" => [.. DrawingPick.Inside(drawing, await BoxAsync(context).ConfigureAwait(false))],
         "Crossing" => [.. DrawingPick.Touching(drawing, await BoxAsync(context).ConfigureAwait(false))],
         "ALL" => [.. DrawingPick.Visible(drawing)],
-        "Last" => [.. DrawingPick.Visible(drawing).TakeLast(1)],
+        "Last" => Newest(drawing, context.Drawing.Entities.Count),
         "Previous" => context.Document.Current.Previous,
         "Handle" => ByHandle(drawing, await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false)),
         _ => ByLayer(drawing, await context.ValueAsync(new TextPrompt(Wording.Get("ObjectSelection.EnterLayerName"))).ConfigureAwait(false)),
     };
+
+    /// <summary>The visible object that was drawn last: of the last curve and the last text that with the higher handle.</summary>
+    private static IReadOnlyList<int> Newest(Drawing shown, int curves)
+    {
+        var visible = DrawingPick.Visible(shown).ToList();
+        int[] last = [.. visible.Where(entity => entity < curves).TakeLast(1), .. visible.Where(entity => entity >= curves).TakeLast(1)];
+        return last.Length < 2 || shown.Entities[last[1]].Handle > shown.Entities[last[0]].Handle ? [.. last.TakeLast(1)] : [last[0]];
+    }
 
     /// <summary>On an object: that object. On empty space: a box, a window to the right, a crossing to the left.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)

@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
@@ -13,6 +14,12 @@ public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyw
 {
     /// <summary>Preview of Enter alone (<see cref="CommandLanguage.Prompt.Preview"/>); null without a preview.</summary>
     public GhostFunction? Preview { get; init; }
+
+    /// <summary>The command line begins with the default (<see cref="TextPrompt.EditsDefault"/>).</summary>
+    public bool EditsDefault { get; init; }
+
+    /// <summary>Preview for a typed line that is not yet entered (<see cref="TextPrompt.TypedGhost"/>); null without a preview.</summary>
+    public Func<string, IReadOnlyList<Segment>>? TypedGhost { get; init; }
 
     /// <summary>The requested file; null if no file is requested.</summary>
     public FileRequest? FileRequest { get; init; }

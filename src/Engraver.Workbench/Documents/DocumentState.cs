@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -31,15 +30,24 @@ public sealed record DocumentState
 
     public DrawingSettings Settings { get; init; } = new();
 
+    /// <summary>The settings with which the next drawing is opened: without those that belong to this one.</summary>
+    public DrawingSettings SettingsOfNext => Settings with { Enter = null, Layers = null, SkippedLayers = [], Cut = CutsTexts ? Settings.Cut & ~CutChoice.Text : Settings.Cut };
+
     /// <summary>Name of the layer on which new objects are drawn (CLAYER). If the drawing has no such layer, layer 0 is used
     /// (<see cref="Documents.CurrentLayer"/>).</summary>
     public string CurrentLayer { get; init; } = Documents.CurrentLayer.DefaultName;
 
+    /// <summary>Name of the style of new texts; Standard if the drawing has no such style.</summary>
+    public string CurrentStyle { get; init; } = "Standard";
+
+    /// <summary>The operator has chosen to cut the texts of this drawing: the choice ends with it.</summary>
+    public bool CutsTexts { get; init; }
+
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
-    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="ShownDrawing"/>), each once, in the order in which they were
-    /// picked.</summary>
+    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="LetteredDrawings.ShownDrawing"/>), each once, in the order in which they
+    /// were picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 
     /// <summary>Indices of the objects hidden by HIDEOBJECTS: only these are shown again by UNISOLATEOBJECTS, not objects hidden in the file.</summary>

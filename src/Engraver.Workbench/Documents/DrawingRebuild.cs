@@ -13,11 +13,7 @@ internal sealed class DrawingRebuild
     private readonly List<Core.Geometry.RationalCurve> _curves = [];
     private ulong _handle;
 
-    public DrawingRebuild(Drawing drawing)
-    {
-        _drawing = drawing;
-        for (var index = 0; index < drawing.Entities.Count; index++) _handle = Math.Max(_handle, drawing.Entities[index].Handle);
-    }
+    public DrawingRebuild(Drawing drawing) => (_drawing, _handle) = (drawing, drawing.HighestHandle());
 
     /// <summary>Number of entities so far, which is the index of the next one.</summary>
     public int Count => _entities.Count;

@@ -4,8 +4,8 @@ using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>What happens to the texts and points of a drawing when objects are edited. Selected texts are edited. Points cannot be selected, nor can texts without
-/// letters: they move with an edit of everything else that is visible, and otherwise do not move.</summary>
+/// <summary>What happens to the texts and points of a drawing when objects are edited. Selected texts are edited. Points cannot be selected, nor can texts
+/// without letters: they move with an edit of everything else that is visible, and otherwise do not move.</summary>
 internal sealed class EditedAnnotations
 {
     private readonly Drawing _drawing;
@@ -20,40 +20,47 @@ internal sealed class EditedAnnotations
         _points = drawing.Points.Count(takes);
     }
 
+    /// <summary>Mirrored texts stay readable (MIRRTEXT 0).</summary>
+    public bool KeepsTextDirection { get; init; }
+
     /// <summary>Number of points that do not move.</summary>
     public int UnmovedPoints => _drawing.Points.Count - _points;
 
-    /// <summary>Selects the texts and points that move with an edit of these objects: the selected texts; the visible ones if all that is visible is edited; all
-    /// if everything is edited.</summary>
+    /// <summary>Selects the texts and points that move with an edit of these objects: the selected texts; the visible ones if all that is visible is edited;
+    /// all if everything is edited.</summary>
     /// <param name="drawing">The drawing before the edit.</param>
     /// <param name="selected">Indices of objects.</param>
     /// <param name="takesLocked">Also those on locked layers: they are only copied, or the whole drawing is edited.</param>
-    public static EditedAnnotations For(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
+    /// <param name="keepsTextDirection">Mirrored texts stay readable.</param>
+    public static EditedAnnotations For(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked, bool keepsTextDirection)
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
         var taken = selected.ToHashSet();
-        var shown = ShownDrawing.Of(drawing);
         var chosen = drawing.Texts.Where((_, text) => taken.Contains(drawing.Entities.Count + text));
-        var all = taken.Count == shown.Entities.Count;
-        if (!all && !DrawingPick.Visible(shown).All(entity => taken.Contains(entity) || IsWithoutLetters(entity))) return new EditedAnnotations(drawing, chosen, _ => false);
-        return new EditedAnnotations(drawing, [.. chosen, .. drawing.Texts.Where(text => IsFree(text.Layer) && (all || text.IsVisibleIn(drawing)))], point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing)));
-
-        bool IsWithoutLetters(int entity) => entity >= drawing.Entities.Count && shown.Entities[entity].PartCount == 0;
+        var all = taken.Count == drawing.Entities.Count + drawing.Texts.Count;
+        if (!all && !TakesAllVisible(drawing, taken)) return new EditedAnnotations(drawing, chosen, _ => false) { KeepsTextDirection = keepsTextDirection };
+        return new EditedAnnotations(drawing, [.. chosen, .. drawing.Texts.Where(text => IsFree(text.Layer) && (all || text.IsVisibleIn(drawing)))], point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing))) { KeepsTextDirection = keepsTextDirection };
 
         bool IsFree(int layer) => takesLocked || !drawing.Layers[layer].Locked;
+    }
+
+    private static bool TakesAllVisible(Drawing drawing, HashSet<int> taken)
+    {
+        var shown = ShownDrawing.Of(drawing);
+        return DrawingPick.Visible(shown).All(entity => taken.Contains(entity) || (entity >= drawing.Entities.Count && shown.Entities[entity].PartCount == 0));
     }
 
     /// <summary>The edited drawing with the selected texts and points moved.</summary>
     public Drawing Moved(Drawing edited, Transform2D map) => edited with
     {
-        Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts.Select(text => _texts.Contains(text) ? Placed(text, map) : text)],
+        Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts.Select((text, index) => _texts.Contains(text) ? Placed(index, map) : text)],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Select(point => _takes(point) ? Placed(point, map) : point)],
     };
 
-    /// <summary>The edited drawing with a copy of the selected texts and points for each map; copies of texts have no handle.</summary>
+    /// <summary>The edited drawing with a copy of the selected texts and points for each map; copies of texts have new handles.</summary>
     public Drawing Copied(Drawing edited, IReadOnlyList<Transform2D> maps) => edited with
     {
-        Texts = [.. _drawing.Texts, .. maps.SelectMany(map => _drawing.Texts.Where(_texts.Contains).Select(text => Placed(text, map) with { Handle = 0 }))],
+        Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts, .. WithHandles(maps.SelectMany(map => Enumerable.Range(0, _drawing.Texts.Count).Where(index => _texts.Contains(_drawing.Texts[index])).Select(index => Placed(index, map))), edited.HighestHandle())],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points, .. maps.SelectMany(map => _drawing.Points.Where(_takes).Select(point => Placed(point, map)))],
     };
 
@@ -63,6 +70,25 @@ internal sealed class EditedAnnotations
         Texts = [.. _drawing.Texts.Where(text => !_texts.Contains(text))],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Where(point => !_takes(point))],
     };
+
+    private static IEnumerable<PlacedText> WithHandles(IEnumerable<PlacedText> texts, ulong handle)
+    {
+        foreach (var text in texts) yield return text with { Handle = ++handle };
+    }
+
+    private PlacedText Placed(int text, Transform2D map) => Placed(_drawing.Texts[text], KeepsTextDirection ? Readable(_drawing, text, map) : map);
+
+    /// <summary>A mirrored text stays readable: its letters are moved into the mirrored box. Other maps are unchanged.</summary>
+    public static Transform2D Readable(Drawing drawing, int text, Transform2D map)
+    {
+        if (!map.Mirrored) return map;
+        var (placed, box) = (drawing.Texts[text], DrawingPick.BoundsOf(ShownDrawing.Of(drawing), [drawing.Entities.Count + text]));
+        var centre = box.IsEmpty ? new Point2D(placed.Position.X, placed.Position.Y) : new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0);
+        var turn = map.Turn - (placed.Rotation * 2.0); // mirrored across its line as well
+        if (turn.Cos() < 0.0) turn += Angle.FromDegrees(180.0);
+        var turned = Transform2D.Rotate(centre, turn.Positive());
+        return turned with { Shift = turned.Shift + (map.Apply(centre) - centre) };
+    }
 
     /// <summary>Mirrored text is mirror-inverted, like the rest of a mirrored drawing.</summary>
     private static PlacedText Placed(PlacedText text, Transform2D map) => text with

@@ -77,7 +77,7 @@ internal static class PolylineEdit
     private static bool IsJoinable(Drawing drawing, int index) =>
         drawing.Entities[index] is { Closed: false, Type: CurveType.Line or CurveType.Arc or CurveType.LwPolyline or CurveType.Polyline };
 
-    private static CurveType TypeOf(in DrawingPart part) => part.Kind switch
+    public static CurveType TypeOf(in DrawingPart part) => part.Kind switch
     {
         SegmentKind.Line => CurveType.Line,
         SegmentKind.Circle => CurveType.Circle,

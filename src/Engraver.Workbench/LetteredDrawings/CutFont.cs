@@ -10,7 +10,7 @@ namespace Engraver.Workbench.LetteredDrawings;
 /// <param name="Sha256">Of the bytes of the font's file or, for a font of the program, of its data; lower case.</param>
 public sealed record CutFont(string Requested, string Font, string Match, string Sha256)
 {
-    /// <summary>The fonts of the texts, in the order of their first use; the program's own font if it has the shape of a character that another one
+    /// <summary>The fonts of the texts, in the order of their first use; with the program's own font if it has the shape of a character that another one
     /// lacks.</summary>
     internal static IReadOnlyList<CutFont> Of(IReadOnlyList<LetteredText> texts, LetterFonts fonts) =>
         texts.Count == 0 ? [] : [.. fonts.Used.Concat(texts.SelectMany(text => text.Layout.Glyphs).Select(glyph => glyph.Font)).Select(From).Distinct()];

@@ -7,28 +7,37 @@ namespace Engraver.Workbench.LetteredDrawings;
 /// <c>n + k</c> is the text <c>k</c> of a drawing of <c>n</c> curves, as in the drawing of a job that cuts texts.</summary>
 public static class ShownDrawing
 {
-    /// <summary>Largest distance of united outlines from the curves of the font as they are shown.</summary>
-    private const double ShownErrorMm = 0.001;
+    /// <summary>Number of drawings whose letters are kept: the present one, the one before an edit, one that is previewed. An undo history would hold too
+    /// many.</summary>
+    private const int MaxKept = 3;
 
+    /// <summary>Largest distance of the arcs of united outlines from the curves of the font, millimetres.</summary>
+    private const double MaxErrorMm = 0.00025;
+
+    private static readonly Lock s_guard = new();
     private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
 
+    /// <summary>The drawings whose letters are kept, the last one first.</summary>
+    private static readonly LinkedList<WeakReference<Drawing>> s_recent = new();
+
     /// <summary>The drawing with its letters; the drawing itself if it has no text. Computed once for each drawing, which takes a while for thousands of
-    /// texts.</summary>
+    /// texts; after an edit only the letters of changed texts are computed.</summary>
     public static Drawing Of(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return drawing.Texts.Count == 0 ? drawing : s_known.GetValue(drawing, Create).Value;
+        if (drawing.Texts.Count == 0) return drawing;
+        Lazy<Drawing>? known;
+        lock (s_guard)
+        {
+            if (!s_known.TryGetValue(drawing, out known)) known = Keep(drawing);
+        }
+
+        return known.Value;
     }
 
-    /// <summary>The same with texts that are changed or added. Not kept: for previews.</summary>
-    /// <param name="texts">The texts to show.</param>
-    /// <returns>Only the letters of these texts, one entity for each.</returns>
-    public static Drawing LettersOf(Drawing drawing, IReadOnlyList<PlacedText> texts)
-    {
-        ArgumentNullException.ThrowIfNull(drawing);
-        var bare = drawing with { Entities = new GrowingColumn<DrawingEntity>(), Parts = new GrowingColumn<DrawingPart>(), Curves = [], Points = [], Texts = texts };
-        return Lettered(bare);
-    }
+    /// <summary>The letters of texts that a drawing could have, for previews: a drawing with one entity for each.</summary>
+    /// <param name="drawing">Its layers and styles are used.</param>
+    public static Drawing LettersOf(Drawing drawing, IReadOnlyList<PlacedText> texts) => LettersOf(drawing, texts, _ => true);
 
     /// <summary>Index of the text of an entity of the shown drawing; null for a curve.</summary>
     public static int? TextOf(Drawing drawing, int entity)
@@ -37,8 +46,66 @@ public static class ShownDrawing
         return entity >= drawing.Entities.Count && entity - drawing.Entities.Count < drawing.Texts.Count ? entity - drawing.Entities.Count : null;
     }
 
-    private static Lazy<Drawing> Create(Drawing drawing) => new(() => Lettered(drawing));
+    private static Lazy<Drawing> Keep(Drawing drawing)
+    {
+        var before = s_recent.Select(kept => kept.TryGetTarget(out var target) ? target : null).FirstOrDefault(kept => kept is not null && IsEditOf(drawing, kept));
+        var shownBefore = before is not null && s_known.TryGetValue(before, out var known) && known.IsValueCreated ? known.Value : null;
+        var created = new Lazy<Drawing>(() => before is null || shownBefore is null ? Lettered(drawing) : Edited(drawing, before, shownBefore));
+        s_known.Add(drawing, created);
+        s_recent.AddFirst(new WeakReference<Drawing>(drawing));
+        while (s_recent.Count > MaxKept)
+        {
+            if (s_recent.Last!.Value.TryGetTarget(out var oldest)) s_known.Remove(oldest);
+            s_recent.RemoveLast();
+        }
 
-    private static Drawing Lettered(Drawing drawing) =>
-        LetteredDrawing.Of(drawing, text => text.IsVisibleIn(drawing), LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(ShownErrorMm), CancellationToken.None).Drawing;
+        return created;
+    }
+
+    /// <summary>True if a text that both drawings have is shown by the same curves.</summary>
+    private static bool IsEditOf(Drawing drawing, Drawing before) =>
+        before.FileName == drawing.FileName && ReferenceEquals(before.Styles, drawing.Styles) && ReferenceEquals(before.Layers, drawing.Layers) && before.Scale == drawing.Scale;
+
+    private static Drawing Lettered(Drawing drawing) => Letters(drawing, text => text.IsVisibleIn(drawing));
+
+    /// <summary>The letters of unchanged texts are taken from the drawing before.</summary>
+    private static Drawing Edited(Drawing drawing, Drawing before, Drawing shownBefore)
+    {
+        var known = new Dictionary<PlacedText, int>(ReferenceEqualityComparer.Instance);
+        for (var text = 0; text < before.Texts.Count; text++) known[before.Texts[text]] = before.Entities.Count + text;
+        var letters = LettersOf(drawing, [.. drawing.Texts.Where(text => !known.ContainsKey(text))], text => text.IsVisibleIn(drawing));
+        var (added, next) = (new AddedCurves(drawing), 0);
+        foreach (var text in drawing.Texts)
+        {
+            if (known.TryGetValue(text, out var old)) Add(added, shownBefore, old);
+            else Add(added, letters, next++);
+        }
+
+        return added.ToDrawing();
+    }
+
+    private static void Add(AddedCurves added, Drawing from, int entity)
+    {
+        var row = from.Entities[entity];
+        var (parts, curves) = (new DrawingPart[row.PartCount], new List<Core.Geometry.RationalCurve>());
+        for (var part = 0; part < parts.Length; part++)
+        {
+            parts[part] = from.Parts[row.FirstPart + part];
+            if (!parts[part].IsFreeCurve) continue;
+            curves.Add(from.Curves[parts[part].CurveIndex]);
+            parts[part] = DrawingPart.FreeCurve(0, curves[^1].Kind, curves.Count - 1);
+        }
+
+        added.Add(row, parts, curves);
+    }
+
+    private static Drawing LettersOf(Drawing drawing, IReadOnlyList<PlacedText> texts, Predicate<PlacedText> isTaken)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var bare = drawing with { Entities = new GrowingColumn<DrawingEntity>(), Parts = new GrowingColumn<DrawingPart>(), Curves = [], Points = [], Texts = texts };
+        return Letters(bare, isTaken);
+    }
+
+    private static Drawing Letters(Drawing drawing, Predicate<PlacedText> isTaken) =>
+        LetteredDrawing.Of(drawing, isTaken, LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(MaxErrorMm), CancellationToken.None).Drawing;
 }

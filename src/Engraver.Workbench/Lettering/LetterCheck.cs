@@ -122,7 +122,7 @@ internal sealed class LetterCheck
 
     private double Distance(DrawingPart part, Func<DrawingPart?, double, Vector3D> expected) => s_fractions.Max(fraction => (Of(part, fraction) - expected(part, fraction)).Length);
 
-    /// <summary>The other parts: those of united outlines are on outlines of letters.</summary>
+    /// <summary>Parts that are not curves of a font: those of united outlines are on outlines of letters.</summary>
     private void CompareRest(double maxError)
     {
         var rest = Enumerable.Range(0, _isFound.Length).Where(i => !_isFound[i]).Select(i => _curves.Parts[i]).ToList();

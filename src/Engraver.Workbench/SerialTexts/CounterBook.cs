@@ -132,7 +132,7 @@ public sealed class CounterBook
             foreach (var (_, number) in plate.Numbers.Where(one => CounterDocument.IsSame(one.Key, design.Name))) yield return number;
         }
 
-        for (var next = document.NextOf(design.Name) ?? design.Start; ; next += design.Step)
+        for (var next = document.NextOf(design.Name) ?? design.Start; ; next += design.Increment)
         {
             if (next is < 0 or > SerialFieldReader.MaxNumber) throw new CounterException(SerialRules.CounterExhausted.At(default, design.Name, FactText.Of(next)));
             yield return next;
@@ -166,8 +166,8 @@ public sealed class CounterBook
                 continue;
             }
 
-            fresh.Add((design.Name, number, number + design.Step));
-            document = document.WithNext(design.Name, number + design.Step);
+            fresh.Add((design.Name, number, number + design.Increment));
+            document = document.WithNext(design.Name, number + design.Increment);
         }
 
         return document with { Plates = [.. document.Plates, plate] };

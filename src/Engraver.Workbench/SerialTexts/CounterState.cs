@@ -4,6 +4,3 @@ namespace Engraver.Workbench.SerialTexts;
 /// <param name="Counters">The next number of each counter, in the order of their names.</param>
 /// <param name="Plates">Plates that were started and are not confirmed, the oldest first.</param>
 public sealed record CounterState(IReadOnlyList<CounterNumber> Counters, IReadOnlyList<StartedPlate> Plates);
-
-/// <param name="Next">The number of the next plate.</param>
-public sealed record CounterNumber(string Name, long Next);

@@ -29,7 +29,7 @@ internal static class CsvText
     public static IReadOnlyList<CsvRecord> Records(string text, List<Diagnostic> findings)
     {
         var (at, line, separator) = (0, 1, default(char?));
-        if (text.StartsWith(SeparatorLine, StringComparison.OrdinalIgnoreCase) && text.Length > SeparatorLine.Length && LineEnd(text, SeparatorLine.Length + 1) is { } end)
+        if (text.StartsWith(SeparatorLine, StringComparison.OrdinalIgnoreCase) && text.Length > SeparatorLine.Length && EndOfLine(text, SeparatorLine.Length + 1) is { } end)
         {
             (at, line, separator) = (end, 2, text[SeparatorLine.Length]);
         }
@@ -67,7 +67,7 @@ internal static class CsvText
         {
             values.Add(at < text.Length && text[at] == '"' ? Quoted(text, separator, ref at, ref line, findings) : Plain(text, separator, ref at));
             if (at >= text.Length) break;
-            if (LineEnd(text, at) is { } end)
+            if (EndOfLine(text, at) is { } end)
             {
                 at = end;
                 line++;
@@ -110,7 +110,7 @@ internal static class CsvText
     }
 
     /// <summary>Index after a line end; null where there is none.</summary>
-    private static int? LineEnd(string text, int at) => at >= text.Length ? null : text[at] switch
+    private static int? EndOfLine(string text, int at) => at >= text.Length ? null : text[at] switch
     {
         '\n' => at + 1,
         '\r' => at + 1 < text.Length && text[at + 1] == '\n' ? at + 2 : at + 1,

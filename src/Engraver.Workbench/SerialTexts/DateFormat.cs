@@ -10,14 +10,14 @@ public sealed record DateFormat
     public const string Default = "yyyy-MM-dd";
 
     /// <summary>The letters and how often each of them may be repeated.</summary>
-    private static readonly (char Letter, int[] Lengths)[] s_letters = [('y', [2, 4]), ('M', [1, 2]), ('d', [1, 2]), ('D', [3]), ('G', [2, 4]), ('w', [1, 2]), ('H', [1, 2]), ('m', [1, 2]), ('s', [1, 2])];
+    private static readonly (char Sign, int[] Lengths)[] s_letters = [('y', [2, 4]), ('M', [1, 2]), ('d', [1, 2]), ('D', [3]), ('G', [2, 4]), ('w', [1, 2]), ('H', [1, 2]), ('m', [1, 2]), ('s', [1, 2])];
 
     private readonly string _format;
 
     private DateFormat(string format) => _format = format;
 
     /// <summary>The letter groups that a format may have.</summary>
-    public static string Letters => string.Join(' ', s_letters.SelectMany(one => one.Lengths.Select(length => new string(one.Letter, length))));
+    public static string Letters => string.Join(' ', s_letters.SelectMany(one => one.Lengths.Select(length => new string(one.Sign, length))));
 
     /// <returns>The format, or why it is not valid, without a full stop.</returns>
     public static (DateFormat? Format, string Reason) Read(string format)
@@ -27,7 +27,7 @@ public sealed record DateFormat
         for (var at = 0; at < format.Length; at += GroupLength(format, at))
         {
             var group = format[at..(at + GroupLength(format, at))];
-            if (char.IsLetter(group[0]) && !Array.Exists(s_letters, one => one.Letter == group[0] && one.Lengths.Contains(group.Length))) return (null, Wording.Get("Serial.InvalidDateFormat", group, Letters));
+            if (char.IsLetter(group[0]) && !Array.Exists(s_letters, one => one.Sign == group[0] && one.Lengths.Contains(group.Length))) return (null, Wording.Get("Serial.InvalidDateFormat", group, Letters));
         }
 
         return (new DateFormat(format), "");

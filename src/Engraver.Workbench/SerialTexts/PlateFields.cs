@@ -11,13 +11,13 @@ public sealed class PlateFields
     private readonly IReadOnlyList<PlacedText> _texts;
     private readonly HashSet<string> _columns = new(StringComparer.OrdinalIgnoreCase);
     private readonly HashSet<string> _tags = new(StringComparer.OrdinalIgnoreCase);
-    private readonly SortedDictionary<string, (long? Start, long? Step)> _counters = new(StringComparer.OrdinalIgnoreCase);
+    private readonly SortedDictionary<string, (long? Start, long? Increment)> _counters = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<Diagnostic> _findings = [];
 
     private PlateFields(IReadOnlyList<PlacedText> texts) => _texts = texts;
 
     /// <summary>The counters with their design, in the order of their names.</summary>
-    public IReadOnlyList<CounterDesign> Counters => [.. _counters.Select(one => new CounterDesign(one.Key, one.Value.Start ?? CounterDesign.DefaultStart, one.Value.Step ?? CounterDesign.DefaultStep))];
+    public IReadOnlyList<CounterDesign> Counters => [.. _counters.Select(one => new CounterDesign(one.Key, one.Value.Start ?? CounterDesign.DefaultStart, one.Value.Increment ?? CounterDesign.DefaultIncrement))];
 
     /// <summary>The columns that fields name.</summary>
     public IReadOnlyCollection<string> Columns => _columns;
@@ -88,8 +88,8 @@ public sealed class PlateFields
     private void Add(SerialField.Counter counter, PlacedText text)
     {
         var (start, step) = _counters.GetValueOrDefault(counter.Name);
-        if (Differs(start, counter.Start) || Differs(step, counter.Step)) _findings.Add(SerialRules.TwoDesigns.At(SourceOf(text), counter.Name, counter.Written));
-        _counters[counter.Name] = (start ?? counter.Start, step ?? counter.Step);
+        if (Differs(start, counter.Start) || Differs(step, counter.Increment)) _findings.Add(SerialRules.TwoDesigns.At(SourceOf(text), counter.Name, counter.Written));
+        _counters[counter.Name] = (start ?? counter.Start, step ?? counter.Increment);
     }
 
     private static bool Differs(long? one, long? other) => one is { } first && other is { } second && first != second;

@@ -23,6 +23,6 @@ public sealed record PlateSeries(PlateFields Fields, IReadOnlyList<CsvRow?> Rows
     /// <summary>True if another blank must be placed before this plate.</summary>
     public bool StartsBlank(int index) => index > 0 && index % (Grid?.Cells ?? 1) == 0;
 
-    /// <summary>What is missing on any of the plates: each finding once.</summary>
+    /// <summary>The problems of all plates: each finding once.</summary>
     public IReadOnlyList<Diagnostic> Check(IEnumerable<Plate> plates) => [.. plates.SelectMany(plate => Fields.Check(plate.Values)).DistinctBy(finding => (finding.Source, finding.Message))];
 }

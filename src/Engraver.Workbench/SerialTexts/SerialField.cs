@@ -11,8 +11,8 @@ public abstract record SerialField(int At, string Written)
     /// <summary><c>[[n NAME:0000;start=17;step=5]]</c>.</summary>
     /// <param name="Digits">1: as many as the number has. From 2 on exactly so many, with zeros in front.</param>
     /// <param name="Start">First number of a counter that the book does not have; null where it is not stated.</param>
-    /// <param name="Step">From one plate to the next; null where it is not stated.</param>
-    public sealed record Counter(int At, string Written, string Name, int Digits, long? Start, long? Step) : SerialField(At, Written);
+    /// <param name="Increment">From one plate to the next; null where it is not stated.</param>
+    public sealed record Counter(int At, string Written, string Name, int Digits, long? Start, long? Increment) : SerialField(At, Written);
 
     /// <summary><c>[[date:yyyy-MM-dd]]</c>.</summary>
     public sealed record Date(int At, string Written, DateFormat Format) : SerialField(At, Written);

@@ -1,6 +1,8 @@
+using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Properties;
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
 
@@ -65,6 +67,47 @@ public sealed class CutTextTests(DesktopFixture fixture)
         Assert.Contains(((PropertiesModel)here.Window.GetVisualDescendants().OfType<PropertiesView>().First().DataContext!).Lines, line => line.Value == "TEXT");
         here.Enter("LIST");
         Assert.Contains(here.History, line => line.Contains("TEXT, handle A2", StringComparison.Ordinal));
+    });
+
+    [Fact]
+    public Task Texts_that_are_not_cut_are_offered_once() => fixture.WithOperator(here =>
+    {
+        here.Open(Write());
+        here.WaitUntilIdle();
+        Assert.True(here.Find<Button>("TextOfferYes").IsEffectivelyVisible);
+        Assert.Equal("2 texts are not cut. Engrave them?", here.Find<TextBlock>("TextOfferQuestion").Text);
+        here.Click(here.Find<Button>("TextOfferYes"));
+        here.WaitUntilIdle();
+        Assert.False(here.Find<Button>("TextOfferYes").IsEffectivelyVisible);
+        Assert.Equal(CutChoice.Text, here.Commands.Document.Current.Settings.Cut);
+        here.Enter("CNCTEXT", "No");
+        Assert.False(here.Find<Button>("TextOfferYes").IsEffectivelyVisible);
+
+        here.Open(Write());
+        here.WaitUntilIdle();
+        here.Click(here.Find<Button>("TextOfferNo"));
+        here.WaitUntilIdle();
+        Assert.False(here.Find<Button>("TextOfferYes").IsEffectivelyVisible);
+        Assert.Equal(CutChoice.None, here.Commands.Document.Current.Settings.Cut);
+    });
+
+    /// <summary>The typed line is on the canvas before it is entered.</summary>
+    [Fact]
+    public Task A_text_is_previewed_while_it_is_typed() => fixture.WithOperator(here =>
+    {
+        here.Open(Write());
+        here.Enter("TEXT", "0,20", "5", "0");
+        Assert.Empty(here.Window.Canvas.Commands!.Preview!(default));
+        here.Hands.Type("HI");
+        here.Step();
+        var shown = here.Window.Canvas.Commands!.Preview!(default);
+        Assert.InRange(shown.Max(part => Math.Max(part.Start.Y, part.End.Y)), 24.9, 25.1);
+        here.Hands.Press(Key.Enter);
+        here.WaitUntilIdle();
+        here.Enter("");
+
+        Assert.Equal(["LH", "T", "HI"], here.Commands.Document.Current.Drawing!.Texts.Select(text => text.Content));
+        Assert.Equal(4, here.Window.Canvas.Scene!.Shown.Entities.Count);
     });
 
     private static string Write()

@@ -2,8 +2,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Texts are edited when they are selected. Points cannot be selected; they move with an edit of everything else that is visible, and otherwise do not,
-/// which is reported.</summary>
+/// <summary>Texts are edited when they are selected. Points cannot be selected; they move with an edit of everything else that is visible, and otherwise do
+/// not, which is reported.</summary>
 public class TextEditTests
 {
     /// <summary>Two lines (the second on a separate layer), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>
@@ -49,7 +49,7 @@ public class TextEditTests
     public async Task A_mirrored_drawing_has_mirrored_texts()
     {
         await using var talk = await OpenAsync();
-        await talk.TypeAsync("MIRROR", "ALL", "", "0,0", "0,1", "Yes");
+        await talk.TypeAsync("MIRRTEXT", "1", "MIRROR", "ALL", "", "0,0", "0,1", "Yes");
 
         Assert.Equal((-2.0, 1.0, 3.0), Place(talk, 0));
         Assert.Equal((-1.0, 1.0), (talk.State.Drawing!.Texts[0].Inserts.XAxis.X, talk.State.Drawing.Texts[0].Inserts.YAxis.Y));

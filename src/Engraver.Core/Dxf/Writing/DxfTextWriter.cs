@@ -7,8 +7,6 @@ namespace Engraver.Core.Dxf.Writing;
 /// with the values that their place gives them. The string is written as read, unless the text was scaled and its codes have heights.</summary>
 internal static class DxfTextWriter
 {
-    private const int Backward = 2;
-
     /// <summary>Relative difference of heights up to which a text was not scaled.</summary>
     private const double UnscaledTolerance = 1e-9;
 
@@ -86,10 +84,14 @@ internal static class DxfTextWriter
         var isBetween = text.End is not null;
         tags.Class("AcDbText").Point(10, text.Position).Real(40, text.Height).Text(1, OneLine(text.Written.Raw));
         tags.Real(50, text.Rotation.Degrees).Real(41, text.WidthFactor).Real(51, text.Oblique.Degrees).Text(7, text.Style);
-        tags.Integer(71, (text.Mirrored ? Backward : 0) | (int)(text.Written.Generation & TextGeneration.UpsideDown)).Integer(72, (int)text.Column);
+        tags.Integer(71, (int)GenerationOf(text)).Integer(72, (int)text.Column);
         if (isBetween || text.Column != TextColumnAlignment.Left || text.Row != TextRowAlignment.Baseline) tags.Point(11, text.End ?? text.Position);
         tags.Class("AcDbText").Integer(73, (int)text.Row);
     }
+
+    /// <summary>A place that mirrors the text mirrors its letters across their line.</summary>
+    private static TextGeneration GenerationOf(PlacedText text) =>
+        text.Mirrored == text.Written.Generation.HasFlag(TextGeneration.Backwards) ? text.Written.Generation : text.Written.Generation ^ TextGeneration.UpsideDown;
 
     /// <summary>A mirrored text has the extrusion 0,0,-1; its position and direction are nevertheless in world coordinates.</summary>
     private static void Paragraph(DxfTagWriter tags, PlacedText text)

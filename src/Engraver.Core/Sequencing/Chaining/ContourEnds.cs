@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The ends of open contours, two for each, start before end, in contour order; without those of letters, which end as they are written. The
-/// distances of the nearest other ends are computed only on request: a report shows perhaps a hundred of two million ends.</summary>
+/// <summary>The ends of open contours, two for each, start before end, in contour order; without those of the strokes of letters. The distances of the
+/// nearest other ends are computed only on request: a report shows perhaps a hundred of two million ends.</summary>
 public sealed class ContourEnds : IndexedList<Discontinuity>
 {
     /// <summary>Distance beyond which two ends are not considered an overlooked gap, millimetres.</summary>

@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
@@ -11,6 +12,9 @@ internal static class DrawingChange
 {
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Commit(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
+
+    /// <summary>True if mirrored texts stay readable (MIRRTEXT).</summary>
+    public static bool KeepsTextDirection(CommandContext context) => context.Settings.Current.Variable("MIRRTEXT") == 0.0;
 
     /// <summary>Those of some objects that are curves of the drawing; the others are its texts.</summary>
     public static IReadOnlyList<int> CurvesOf(Drawing drawing, IReadOnlyList<int> objects) => objects.Any(index => index >= drawing.Entities.Count) ? [.. objects.Where(index => index < drawing.Entities.Count)] : objects;
@@ -73,7 +77,7 @@ internal static class DrawingChange
     /// <param name="takesLocked">Also those on locked layers.</param>
     public static EditedAnnotations AnnotationsOf(CommandContext context, IReadOnlyList<int> selected, bool reports = true, bool takesLocked = false)
     {
-        var along = EditedAnnotations.For(context.Drawing, selected, takesLocked);
+        var along = EditedAnnotations.For(context.Drawing, selected, takesLocked, KeepsTextDirection(context));
         if (reports && along.UnmovedPoints > 0) context.WriteMessage(Wording.Get("DrawingChange.PointsUnchanged", CountText.Format(along.UnmovedPoints, "PointObject")));
         return along;
     }

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Editing;
@@ -11,17 +12,35 @@ internal sealed class SelectionGhost
     /// <summary>Maximum number of segments of a preview, over all copies.</summary>
     public const int MaxSegments = 1000;
 
+    /// <summary>Maximum number of texts that are shown with the direction that they will have.</summary>
+    private const int MaxTexts = 50;
+
+    private readonly Drawing _drawing;
+    private readonly IReadOnlyList<int> _selected;
+    private SelectionGhost? _curves;
     private readonly Lazy<Segment[]> _shown;
     private readonly Lazy<Segment[]> _box;
 
     public SelectionGhost(Drawing drawing, IReadOnlyList<int> selected)
     {
+        (_drawing, _selected) = (drawing, selected);
         _box = new Lazy<Segment[]>(() => BoxOf(ShownDrawing.Of(drawing), selected));
         _shown = new Lazy<Segment[]>(() => Sample(ShownDrawing.Of(drawing), selected));
     }
 
     /// <summary>The transformed objects.</summary>
     public IReadOnlyList<Segment> Mapped(Transform2D map) => Mapped([map]);
+
+    /// <summary>The objects mirrored, their texts as MIRROR leaves them.</summary>
+    /// <param name="keepsTexts">Texts stay readable.</param>
+    public IReadOnlyList<Segment> Mirrored(Transform2D map, bool keepsTexts)
+    {
+        int[] texts = keepsTexts ? [.. _selected.Where(index => index >= _drawing.Entities.Count)] : [];
+        if (texts.Length is 0 or > MaxTexts) return Mapped(map);
+        _curves ??= new SelectionGhost(_drawing, [.. _selected.Where(index => index < _drawing.Entities.Count)]);
+        var shown = ShownDrawing.Of(_drawing);
+        return [.. _curves.Mapped(map), .. texts.SelectMany(index => DrawingPick.Segments(shown, index).Select(letter => letter.Mapped(EditedAnnotations.Readable(_drawing, index - _drawing.Entities.Count, map))))];
+    }
 
     /// <summary>The objects transformed by several maps; if there are too many, the bounding boxes of the first ones.</summary>
     public IReadOnlyList<Segment> Mapped(IReadOnlyList<Transform2D> maps)

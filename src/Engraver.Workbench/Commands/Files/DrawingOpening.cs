@@ -15,7 +15,7 @@ internal static class DrawingOpening
     /// <exception cref="CommandException">The file could not be read.</exception>
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation, DrawingSettings? wanted = null)
     {
-        var settings = wanted ?? context.Document.Current.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
+        var settings = wanted ?? context.Document.Current.SettingsOfNext;
         var drawing = context.Document.ShareColumns(Read(context, path, settings, cancellation));
         var why = DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics.First(found => found.Severity == Severity.Error) : null;
         FindingMessages.Write(context, drawing.FileName, why is null ? drawing.Diagnostics : [.. drawing.Diagnostics.Where(found => found != why)], Severity.Warning);

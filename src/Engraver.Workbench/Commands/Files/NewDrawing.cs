@@ -25,7 +25,7 @@ internal static class NewDrawing
     {
         DrawingOpening.Close(context);
         var before = context.Document.Current;
-        var settings = before.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
+        var settings = before.SettingsOfNext;
         var unit = settings.Unit ?? LengthUnits.FromInsUnits(Millimetres)!;
         var drawing = Drawing.Empty(Wording.Get("New.FileName", context.Document.NextDrawingNumber()), unit, new Layer(CurrentLayer.DefaultName, On: true, Frozen: false, Plot: true));
         context.Commit(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = DrawingSaving.WithSettingsOf(before.Sidecar) });

@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Grips;
@@ -61,7 +62,7 @@ internal sealed class GripDrag
     public bool TryCommit(Edit edit)
     {
         var drawing = _context.Drawing;
-        if (edit.Map is { } map) return Commit(IsCopying ? DrawingChange.Copied(_context, _selected, [map], reports: Count == 0) : DrawingChange.Mapped(_context, _selected, map));
+        if (edit.Map is { } map) return Commit(IsCopying ? DrawingChange.Copied(_context, DocumentState.Following(_selected, _drawing, drawing), [map], reports: Count == 0) : DrawingChange.Mapped(_context, DocumentState.Following(_selected, _drawing, drawing), map));
         var (source, hot) = IsCopying ? Copied(drawing) : (drawing, _hotGrips);
         if (edit.To is { } to && GripStretch.Changes(source, hot, to) is { } changes) return Commit(ChangedPart.Apply(source, changes));
         _context.WriteMessage(Wording.Get("GripEdit.InvalidResult"), MessageKind.Warning);
@@ -89,7 +90,8 @@ internal sealed class GripDrag
 
     private bool Commit(Drawing edited)
     {
-        _steps.Commit(_context.Document.Current with { Drawing = edited, Selection = _selected, Previous = _selected });
+        var selected = DocumentState.Following(_selected, _drawing, edited);
+        _steps.Commit(_context.Document.Current with { Drawing = edited, Selection = selected, Previous = selected });
         return true;
     }
 

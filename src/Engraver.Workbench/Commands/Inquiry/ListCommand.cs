@@ -1,4 +1,3 @@
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;
@@ -11,6 +10,6 @@ internal sealed class ListCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.GetAsync(context, takesTexts: true).ConfigureAwait(false);
-        context.WriteResult(output => EntityText.Write(ShownDrawing.Of(context.Drawing), selected, context.Precision, output));
+        context.WriteResult(output => EntityText.Write(context.Drawing, selected, context.Precision, output));
     }
 }

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;
@@ -16,7 +15,7 @@ internal sealed class PropertiesCommand : ICommand
         context.WriteResult(output =>
         {
             if (selected.Count == 0) DrawingText.Write(output, drawing, DrawingSummary.From(drawing));
-            else EntityText.WriteTogether(ShownDrawing.Of(drawing), selected, context.Precision, output);
+            else EntityText.WriteTogether(drawing, selected, context.Precision, output);
         });
         return Task.CompletedTask;
     }

@@ -9,7 +9,7 @@ internal sealed class ChPropCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.GetForEditAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.GetForEditAsync(context, takesTexts: true).ConfigureAwait(false);
         var (drawing, figures) = (context.Drawing, context.Precision);
         var values = ObjectProperties.Of(drawing, selected, figures).Where(value => value.IsEditable).ToList();
         var name = await context.ChoiceAsync(Wording.Get("ChProp.EnterProperty"), Keyword.List([.. values.Select(value => value.Property.Name)]), null).ConfigureAwait(false);

@@ -22,7 +22,7 @@ internal static class ClosedProperty
     {
         var changing = polylines.Where(facts => facts.Entity.Closed != closed).ToDictionary(facts => facts.Index);
         if (changing.Count == 0) return drawing;
-        if (closed && changing.Values.FirstOrDefault(facts => facts.Line is not null) is { } line) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.SingleLineCannotClose", line.Drawing.SourceOf(line.Index).Handle ?? ""));
+        if (closed && changing.Values.FirstOrDefault(facts => facts.Line is not null) is { } line) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.SingleLineCannotClose", line.Handle));
         var rebuilt = new DrawingRebuild(drawing);
         for (var index = 0; index < drawing.Entities.Count; index++)
         {

@@ -1,24 +1,31 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>One object of a drawing, analysed once for all its properties. Drawing units, plan view.</summary>
+/// <summary>One object of a drawing, a curve or a text, analysed once for all its properties. Drawing units, plan view.</summary>
 internal sealed class ObjectFacts(Drawing drawing, int index)
 {
     private Segment[]? _segments;
 
     public Drawing Drawing => drawing;
 
-    /// <summary>Index into the drawing's entities.</summary>
+    /// <summary>Index into the entities of the shown drawing.</summary>
     public int Index => index;
 
-    public DrawingEntity Entity => drawing.Entities[index];
+    public DrawingEntity Entity => ShownDrawing.Of(drawing).Entities[index];
+
+    /// <summary>The text; null for a curve.</summary>
+    public PlacedText? Text => ShownDrawing.TextOf(drawing, index) is { } text ? drawing.Texts[text] : null;
+
+    public string Handle => ShownDrawing.Of(drawing).SourceOf(index).Handle ?? "";
 
     /// <summary>Index of its first part.</summary>
     public int FirstPart => Entity.FirstPart;
 
-    public IReadOnlyList<Segment> Segments => _segments ??= [.. DrawingPick.Segments(drawing, index)];
+    /// <summary>Of a curve; a text has none.</summary>
+    public IReadOnlyList<Segment> Segments => _segments ??= Text is null ? [.. DrawingPick.Segments(drawing, index)] : [];
 
     /// <summary>The line; null for other objects.</summary>
     public LineSegment? Line => Segments is [{ Kind: SegmentKind.Line } only] ? only.Line : null;

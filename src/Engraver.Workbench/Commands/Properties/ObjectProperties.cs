@@ -20,10 +20,11 @@ public static class ObjectProperties
     public static IReadOnlyList<ObjectProperty> All { get; } =
     [
         new("Type", true) { Read = (facts, _) => facts.Entity.Type.ToDxfName() },
-        new("Handle", true) { Read = (facts, _) => facts.Drawing.SourceOf(facts.Index).Handle ?? "" },
+        new("Handle", true) { Read = (facts, _) => facts.Handle },
         new("LAyer", true) { Read = (facts, _) => facts.Drawing.Layers[facts.Entity.Layer].Name, Entity = PropertyEdit.OnLayer, Choices = drawing => [.. drawing.Layers.Select(layer => layer.Name)] },
         new("Color", true) { Read = (facts, _) => ColourName.OfObject(facts.Entity.Colour), Entity = PropertyEdit.InColour },
         new("SourceLine", true) { Read = (facts, _) => facts.Entity.SourceLine.ToString(CultureInfo.InvariantCulture) },
+        .. TextProperties.All,
         ObjectProperty.Length("StartX", facts => facts.Start?.X) with { Change = (facts, x) => PropertyEdit.WithEnd(facts, facts.Start!.Value with { X = x }, atStart: true) },
         ObjectProperty.Length("StartY", facts => facts.Start?.Y) with { Change = (facts, y) => PropertyEdit.WithEnd(facts, facts.Start!.Value with { Y = y }, atStart: true) },
         ObjectProperty.Length("EndX", facts => facts.End?.X) with { Change = (facts, x) => PropertyEdit.WithEnd(facts, facts.End!.Value with { X = x }, atStart: false) },
@@ -39,12 +40,12 @@ public static class ObjectProperties
         ObjectProperty.Length("DeltaY", facts => facts.Line is { } line ? line.End.Y - line.Start.Y : null),
         ObjectProperty.Angle("Angle", facts => facts.Line is { } line ? (line.End - line.Start).Direction.Positive() : null),
         new("Vertices", false) { Read = (facts, _) => facts.IsPolyline ? (facts.Segments.Count + (facts.Entity.Closed ? 0 : 1)).ToString(CultureInfo.InvariantCulture) : null },
-        ObjectProperty.Length("Length", facts => facts.Circle is null ? facts.Length : null),
+        ObjectProperty.Length("Length", facts => facts.Circle is null && facts.Text is null ? facts.Length : null),
         ObjectProperty.Length("CircumFerence", facts => facts.Circle is null ? null : facts.Length) with { Change = (facts, length) => PropertyEdit.WithRadius(facts, length / (2.0 * Math.PI)) },
         new("Area", false) { Read = (facts, figures) => facts.Line is null && facts.Segments.Count > 0 ? figures.FormatArea(ClosedArea.Measure(facts.Segments)) : null },
         new("CLosed", false)
         {
-            Read = (facts, _) => ClosedProperty.Format(facts.IsPolyline ? facts.Entity.Closed : facts.IsClosed),
+            Read = (facts, _) => facts.Text is null ? ClosedProperty.Format(facts.IsPolyline ? facts.Entity.Closed : facts.IsClosed) : null,
             Closed = ClosedProperty.Parse,
             Allows = facts => facts.IsPolyline,
             Choices = _ => [ClosedProperty.Format(true), ClosedProperty.Format(false)],

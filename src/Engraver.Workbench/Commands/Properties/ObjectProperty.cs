@@ -13,7 +13,7 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
     /// <summary>Displayed name.</summary>
     public string Title => Wording.Get("Property." + Name);
 
-    public bool IsEditable => Change is not null || Entity is not null || Closed is not null;
+    public bool IsEditable => Change is not null || Entity is not null || Closed is not null || OfText is not null;
 
     /// <summary>The possible values in a drawing; empty for any value.</summary>
     public Func<Drawing, IReadOnlyList<string>> Choices { get; init; } = _ => [];
@@ -26,6 +26,9 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
 
     /// <summary>The entity with a new value; throws if the text is invalid.</summary>
     internal Func<ObjectFacts, string, DrawingEntity>? Entity { get; init; }
+
+    /// <summary>The text with a new value; throws if the typed value is invalid. Only for texts that have the property.</summary>
+    internal Func<ObjectFacts, PlacedText, string, PlacedText>? OfText { get; init; }
 
     /// <summary>Whether the new value closes the object; throws if the text is invalid.</summary>
     internal Func<string, bool>? Closed { get; init; }

@@ -1,8 +1,11 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Text;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Commands.Texts;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;
@@ -16,7 +19,13 @@ internal static class PropertyEdit
     {
         var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null && property.Allows(facts)).ToList();
         if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.PropertyNotFound", property.Title));
-        if (property.Entity is { } entity) return drawing with { Entities = drawing.Entities.With(having.Select(facts => (facts.Index, entity(facts, typed))), []) };
+        if (property.OfText is { } change) return TextsChanged(drawing, having, property, typed, change);
+        if (property.Entity is { } entity)
+        {
+            var edited = drawing with { Entities = drawing.Entities.With(having.Where(facts => facts.Text is null).Select(facts => (facts.Index, entity(facts, typed))), []) };
+            return TextsChanged(edited, [.. having.Where(facts => facts.Text is not null)], property, typed, (facts, text, _) => entity(facts, typed) is var like ? text with { Layer = like.Layer, Colour = like.Colour } : text);
+        }
+
         if (property.Closed is { } closed) return ClosedProperty.Apply(drawing, having, closed(typed));
         if (!NumberPrompt.TryParse(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotANumber", typed, property.Title));
         var changes = new List<ChangedPart>();
@@ -27,6 +36,17 @@ internal static class PropertyEdit
         }
 
         return ChangedPart.Apply(drawing, changes);
+    }
+
+    private static Drawing TextsChanged(Drawing drawing, IReadOnlyList<ObjectFacts> having, ObjectProperty property, string typed, Func<ObjectFacts, PlacedText, string, PlacedText> change)
+    {
+        var changed = having.ToDictionary(facts => ShownDrawing.TextOf(drawing, facts.Index)!.Value, facts => change(facts, facts.Text!, typed));
+        foreach (var text in changed.Values)
+        {
+            if (!TextSummary.IsInRange(text)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.ValueNotPossible", property.Title, typed, $"{text.Type} {text.Content}"));
+        }
+
+        return changed.Count == 0 ? drawing : TextChange.Replaced(drawing, changed);
     }
 
     public static DrawingEntity OnLayer(ObjectFacts facts, string typed) =>
@@ -57,5 +77,5 @@ internal static class PropertyEdit
 
     private static IReadOnlyList<ChangedPart> Round(ObjectFacts facts, ArcSegment arc) => [new ChangedPart(facts.FirstPart, DrawingPart.Arc(facts.Index, arc, facts.Drawing.Parts[facts.FirstPart].C), null)];
 
-    private static string Named(ObjectFacts facts) => $"{facts.Entity.Type.ToDxfName()} {facts.Drawing.SourceOf(facts.Index).Handle}".TrimEnd();
+    private static string Named(ObjectFacts facts) => $"{facts.Entity.Type.ToDxfName()} {facts.Handle}".TrimEnd();
 }

@@ -18,6 +18,7 @@ public static class SystemVariables
         InSettings("ZOOMWHEEL", 0, 0, 1),
         InSettings("FILEDIA", 1, 0, 1),
         InSettings("CMDECHO", 1, 0, 1),
+        InSettings("MIRRTEXT", 0, 0, 1),
         InSettings(Luprec, 4, 0, 8),
         InSettings(Auprec, 2, 0, 8),
         InSettings(CncTraceColor, 1, 0, 2),

@@ -22,7 +22,7 @@ internal sealed class ItemSetter(TextStyle style, double height, LetterFonts fon
     {
         if (_formats.TryGetValue(format, out var known)) return known;
         var font = format.Font is { } named ? fonts.Of(named) : fonts.Of(style);
-        var letters = new LetterFormat(HeightOf(format), format.Width.Resolved(style.WidthFactor), format.Oblique ?? style.Oblique, format.Tracking);
+        var letters = new LetterFormat(HeightOf(format), format.Width.Resolved(Math.Abs(style.WidthFactor)), format.Oblique ?? style.Oblique, format.Tracking);
         var set = new SetFormat(font, letters, format.Marks, format.Alignment, LetterRun.Set(" ", font, letters, Point2D.Origin, notes).Advance);
         _formats.Add(format, set);
         return set;

@@ -20,7 +20,7 @@ internal static class LineBreaker
             var item = items[at];
             if (item.Kind is LineItemKind.LineBreak or LineItemKind.ColumnBreak)
             {
-                yield return builder.Finish(item.Kind == LineItemKind.LineBreak ? LineEnd.LineBreak : LineEnd.ColumnBreak, item.Format.Height);
+                yield return builder.Finish(item.Kind == LineItemKind.LineBreak ? SetLineEnd.LineBreak : SetLineEnd.ColumnBreak, item.Format.Height);
                 builder.Start(isFirst: false);
                 height = item.Format.Height;
                 at++;
@@ -37,14 +37,14 @@ internal static class LineBreaker
             var (end, inked) = WordAt(items, at);
             if (builder.HasItems && builder.EndWith(inked) > right)
             {
-                yield return builder.Finish(LineEnd.Wrapped, item.Format.Height);
+                yield return builder.Finish(SetLineEnd.Wrapped, item.Format.Height);
                 builder.Start(isFirst: false);
             }
 
             for (; at < end; at++) builder.Add(items[at]);
         }
 
-        yield return builder.Finish(LineEnd.Paragraph, height);
+        yield return builder.Finish(SetLineEnd.Paragraph, height);
     }
 
     /// <summary>The index after a word, and its length up to the right side of its last letter.</summary>

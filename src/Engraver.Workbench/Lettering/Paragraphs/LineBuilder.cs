@@ -51,10 +51,10 @@ internal sealed class LineBuilder(ParagraphMeasures paragraph)
     }
 
     /// <param name="height">Of letters at this place.</param>
-    public SetLine Finish(LineEnd end, double height)
+    public SetLine Finish(SetLineEnd end, double height)
     {
         if (HasItems) height = _items[0].Item.Format.Height;
-        while (end == LineEnd.Wrapped && HasItems && _items[^1].Item.IsGap) _items.RemoveAt(_items.Count - 1);
+        while (end == SetLineEnd.Wrapped && HasItems && _items[^1].Item.IsGap) _items.RemoveAt(_items.Count - 1);
         _segmentFirst = Math.Min(_segmentFirst, _items.Count);
         EndSegment();
         return new SetLine(paragraph, [.. _items], _left, height, _isFirst, end);

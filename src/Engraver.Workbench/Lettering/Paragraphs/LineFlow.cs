@@ -22,7 +22,7 @@ internal sealed class LineFlow
         var (column, y, above) = (0, 0.0, default(SetLine));
         foreach (var line in lines)
         {
-            if (above is { End: LineEnd.ColumnBreak } && plan.HasColumns) (column, above) = (column + 1, null);
+            if (above is { End: SetLineEnd.ColumnBreak } && plan.HasColumns) (column, above) = (column + 1, null);
             if (above is not null)
             {
                 var next = y - spacing.Between(above, line);

@@ -3,10 +3,11 @@ using Engraver.Core.TextMarkup;
 
 namespace Engraver.Workbench.Lettering.Paragraphs;
 
-/// <summary>Distances of baselines. The standard distance is 5/3 of the height (DXF reference, "MTEXT", group 44; AutoCAD's help, "-MTEXT", Line Spacing).</summary>
-/// <remarks>"At least": below each line is a space of 2/3 of its height, and the next line follows with its highest letter. The extents that AutoCAD writes into
-/// drawings (embedded object, groups 42 and 43) agree with this, also for letters that pass the height of capitals. They also show the box: its top is the
-/// highest letter of the first line, its bottom the lowest descender; with "exactly", the bottom is 1/3 of the height below the last baseline.</remarks>
+/// <summary>Distances of baselines. The standard distance is 5/3 of the height (DXF reference, "MTEXT", group 44; AutoCAD's help, "-MTEXT", Line
+/// Spacing).</summary>
+/// <remarks>"At least": below each line is a space of 2/3 of its height, and the next line follows with its highest letter. The extents that AutoCAD writes
+/// into drawings (embedded object, groups 42 and 43) agree with this, also for letters that pass the height of capitals. They also show the box: its top is
+/// the highest letter of the first line, its bottom the lowest descender; with "exactly", the bottom is 1/3 of the height below the last baseline.</remarks>
 internal sealed class LineSpacing
 {
     private const double Standard = 5.0 / 3.0;

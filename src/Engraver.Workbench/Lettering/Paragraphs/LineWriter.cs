@@ -64,7 +64,7 @@ internal sealed class LineWriter(ParagraphAlignment standard, double width, bool
             _ when !line.HasInk => default,
             ParagraphAlignment.Right => (rest, 0.0, 0.0),
             ParagraphAlignment.Centre => (((line.Left + right) - (line.ContentLeft + line.ContentRight)) / 2.0, 0.0, 0.0),
-            ParagraphAlignment.Justified when line.End == LineEnd.Wrapped && rest > 0.0 && BlanksOf(line) is > 0 and var blanks => (0.0, rest / blanks, 0.0),
+            ParagraphAlignment.Justified when line.End == SetLineEnd.Wrapped && rest > 0.0 && BlanksOf(line) is > 0 and var blanks => (0.0, rest / blanks, 0.0),
             ParagraphAlignment.Distributed when isWrapped && rest > 0.0 && GapsOf(line) is > 0 and var gaps => (0.0, 0.0, rest / gaps),
             _ => default,
         };

@@ -5,8 +5,8 @@ using Engraver.Core.TextMarkup;
 namespace Engraver.Workbench.Lettering.Paragraphs;
 
 /// <summary>The layout of an MTEXT (DXF reference, "MTEXT"; docs/text-codes.md, "Layout of an MTEXT").</summary>
-/// <remarks>Width factor and slant of the style apply. Its fixed height is used if the entity states none. Upside down and backwards apply to texts of one line
-/// only.</remarks>
+/// <remarks>Width factor and slant of the style apply. Its fixed height is used if the entity states none. Upside down and backwards, also a negative width
+/// factor, apply to texts of one line only.</remarks>
 public static class ParagraphLayout
 {
     private const int TopToBottom = 3;
@@ -20,7 +20,7 @@ public static class ParagraphLayout
         var written = text.Written.Paragraphs ?? new WrittenParagraphs();
         var style = fonts.StyleOf(text.Style);
         var height = text.Written.Height > 0.0 ? text.Written.Height : style.FixedHeight;
-        if (!(height > 0.0)) return null;
+        if (!(height > 0.0) || style.WidthFactor == 0.0) return null;
 
         var (content, notes) = (MTextParser.Parse(text.Written.Raw), new LayoutNotes());
         notes.AddCodes(content.UnknownCodes);
@@ -52,7 +52,7 @@ public static class ParagraphLayout
             lines.AddRange(LineBreaker.LinesOf(items, measures!, wrap > 0.0 ? wrap : double.PositiveInfinity, setter.HeightOf(paragraph.End)));
         }
 
-        while (lines.Count > 1 && lines[^1].Items.Count == 0 && lines[^2].End == LineEnd.ColumnBreak) lines.RemoveAt(lines.Count - 1);
+        while (lines.Count > 1 && lines[^1].Items.Count == 0 && lines[^2].End == SetLineEnd.ColumnBreak) lines.RemoveAt(lines.Count - 1);
         return lines;
     }
 }

@@ -9,8 +9,8 @@ internal static class ParagraphPlane
     /// <summary>The sine of an angle that is taken as zero.</summary>
     private const double Parallel = 1e-9;
 
-    /// <summary>From the plane to the drawing. The direction of the lines is in the system of the block, the rotation in that of the extrusion; a direction that
-    /// is not perpendicular to the extrusion is projected (DXF reference, "MTEXT", groups 11, 50, 210).</summary>
+    /// <summary>From the plane to the drawing. The direction of the lines is in the system of the block, the rotation in that of the extrusion; a direction
+    /// that is not perpendicular to the extrusion is projected (DXF reference, "MTEXT", groups 11, 50, 210).</summary>
     public static Placement Of(PlacedText text)
     {
         var written = text.Written;

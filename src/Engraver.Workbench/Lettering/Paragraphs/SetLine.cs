@@ -8,7 +8,7 @@ internal sealed class SetLine
     private readonly IReadOnlyList<PlacedItem> _items;
 
     /// <param name="height">Of letters at this place; for a line without items.</param>
-    public SetLine(ParagraphMeasures paragraph, IReadOnlyList<PlacedItem> items, double left, double height, bool isFirst, LineEnd end)
+    public SetLine(ParagraphMeasures paragraph, IReadOnlyList<PlacedItem> items, double left, double height, bool isFirst, SetLineEnd end)
     {
         (Paragraph, _items, IsFirst, End) = (paragraph, items, isFirst, end);
         Left = ContentLeft = ContentRight = left;
@@ -33,7 +33,7 @@ internal sealed class SetLine
     /// <summary>The first line of its paragraph.</summary>
     public bool IsFirst { get; }
 
-    public LineEnd End { get; }
+    public SetLineEnd End { get; }
 
     /// <summary>Where the pen began.</summary>
     public double Left { get; }

@@ -56,13 +56,14 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     /// <summary>Why a saved trace cannot be shown; null if it can or there is none.</summary>
     public string? TraceProblem { get; private init; }
 
-    /// <summary>Collects the data.</summary>
+    /// <summary>Collects the data. The texts of a plate have the values of the reported run.</summary>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var job = JobPreparation.PrepareUnlessCancelled(request.Drawing, request.Settings, request.Strategy.Style, cancellation);
+        var plate = (request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) : null;
+        var job = plate is null ? JobPreparation.PrepareUnlessCancelled(request.Drawing, request.Settings, request.Strategy.Style, cancellation) : PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate);
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
         var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Strategy);

@@ -3,8 +3,8 @@ using static Engraver.Workbench.Tests.Lettering.Paragraphs.LaidParagraphs;
 
 namespace Engraver.Workbench.Tests.Lettering.Paragraphs;
 
-/// <summary>Where lines end, and where their letters are. The sizes of boxes that AutoCAD wrote into drawings (groups 42 and 43 of the embedded object) show its
-/// rules: blanks at the start of a text are kept, also when no word follows them in the line; a long word remains whole.</summary>
+/// <summary>Where lines end, and where their letters are. The sizes of boxes that AutoCAD wrote into drawings (groups 42 and 43 of the embedded object) show
+/// its rules: blanks at the start of a text are kept, also when no word follows them in the line; a long word remains whole.</summary>
 public class LineBreakTests
 {
     private const int Decimals = 9;

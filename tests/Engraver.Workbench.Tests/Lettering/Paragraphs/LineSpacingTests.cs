@@ -38,7 +38,8 @@ public class LineSpacingTests
         Assert.Equal([-10.0, -10.0 - Standard, -10.0 - (2.0 * Standard)], exactly, Near);
     }
 
-    /// <summary>AutoCAD writes 2.71851 heights for two lines of Arial whose letters pass the capitals by 0.01705 above and below: 1 + 5/3 + 3 * 0.0173.</summary>
+    /// <summary>AutoCAD writes 2.71851 heights for two lines of Arial whose letters pass the capitals by 0.01705 above and below: 1 + 5/3 and
+    /// three times 0.0173.</summary>
     [Fact]
     public void A_letter_above_the_capitals_moves_its_line_down()
     {

@@ -40,6 +40,7 @@ public class ParagraphLayoutTests
         var fixedHeight = ParagraphLayout.Of(text with { Written = text.Written with { Height = 0.0 } }, FontsWith(style))!.Glyphs;
         Assert.Equal(2.0 * Scale, fixedHeight[0].Map.YAxis.Y, 9);
         Assert.Null(ParagraphLayout.Of(text with { Written = text.Written with { Height = 0.0 } }, FontsWith(new TextStyle("tag"))));
+        Assert.Null(ParagraphLayout.Of(text, FontsWith(style with { WidthFactor = 0.0 })));
     }
 
     [Fact]
@@ -141,6 +142,26 @@ public class ParagraphLayoutTests
         }
 
         double Any() => lengths[random.Next(lengths.Length)];
+    }
+
+    /// <summary>A time that grew with the square of the length would be minutes.</summary>
+    [Theory]
+    [InlineData("H ")]
+    [InlineData("H")]
+    [InlineData(@"H\P")]
+    [InlineData(@"H\~")]
+    [InlineData(@"H^I")]
+    [InlineData(@"\pt1,2,3;H^I")]
+    [InlineData(@"H\N")]
+    [InlineData(@"\H1.0001x;H ")]
+    [InlineData(@"\LH\lH ")]
+    [InlineData(@"\S1/2; ")]
+    [InlineData(@"\U+05D0 H ")]
+    public void A_very_long_text_is_laid_out(string part)
+    {
+        var raw = @"\pqd;" + string.Concat(Enumerable.Repeat(part, 20_000));
+        var glyphs = Of(raw, new() { ReferenceWidth = 1_000.0, Columns = new TextColumns { Type = 2, Width = 1_000.0, Gutter = 1.0 }, DefinedHeight = 5_000.0 }).Glyphs;
+        Assert.Equal(CharactersOf(raw), glyphs.Count);
     }
 
     private static IEnumerable<PlacedText> CorpusTexts()

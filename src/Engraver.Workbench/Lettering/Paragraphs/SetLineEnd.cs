@@ -1,7 +1,7 @@
 namespace Engraver.Workbench.Lettering.Paragraphs;
 
 /// <summary>Why a line ends.</summary>
-internal enum LineEnd : byte
+internal enum SetLineEnd : byte
 {
     Paragraph,
     Wrapped,
