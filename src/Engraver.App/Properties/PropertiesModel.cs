@@ -9,7 +9,6 @@ using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Properties;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.App.Properties;
 

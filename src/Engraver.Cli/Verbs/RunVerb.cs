@@ -147,6 +147,7 @@ internal sealed class RunVerb
 
                 using var turn = plan.Turn(index);
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
+                await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
                 if (machine == ExitCode.Done) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);

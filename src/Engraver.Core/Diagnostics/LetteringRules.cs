@@ -27,7 +27,7 @@ public static class LetteringRules
 
     public static readonly DiagnosticRule Tilted = new("TXT0012", Severity.Warning, "count");
 
-    public static readonly DiagnosticRule SubstitutesUnreadable = new("TXT0013", Severity.Warning, "file", "line");
+    public static readonly DiagnosticRule SubstitutesUnreadable = new("TXT0013", Severity.Warning, "line", "file");
 
     public static readonly DiagnosticRule NotUnited = new("TXT0014", Severity.Warning, "text");
 

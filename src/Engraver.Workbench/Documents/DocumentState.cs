@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -47,8 +46,8 @@ public sealed record DocumentState
     /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
-    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="ShownDrawing"/>), each once, in the order in which they were
-    /// picked.</summary>
+    /// <summary>Indices into the entities of the drawing as it is shown (<see cref="LetteredDrawings.ShownDrawing"/>), each once, in the order in which they
+    /// were picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 
     /// <summary>Indices of the objects hidden by HIDEOBJECTS: only these are shown again by UNISOLATEOBJECTS, not objects hidden in the file.</summary>

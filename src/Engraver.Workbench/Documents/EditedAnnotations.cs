@@ -36,15 +36,18 @@ internal sealed class EditedAnnotations
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
         var taken = selected.ToHashSet();
-        var shown = ShownDrawing.Of(drawing);
         var chosen = drawing.Texts.Where((_, text) => taken.Contains(drawing.Entities.Count + text));
-        var all = taken.Count == shown.Entities.Count;
-        if (!all && !DrawingPick.Visible(shown).All(entity => taken.Contains(entity) || IsWithoutLetters(entity))) return new EditedAnnotations(drawing, chosen, _ => false) { KeepsTextDirection = keepsTextDirection };
+        var all = taken.Count == drawing.Entities.Count + drawing.Texts.Count;
+        if (!all && !TakesAllVisible(drawing, taken)) return new EditedAnnotations(drawing, chosen, _ => false) { KeepsTextDirection = keepsTextDirection };
         return new EditedAnnotations(drawing, [.. chosen, .. drawing.Texts.Where(text => IsFree(text.Layer) && (all || text.IsVisibleIn(drawing)))], point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing))) { KeepsTextDirection = keepsTextDirection };
 
-        bool IsWithoutLetters(int entity) => entity >= drawing.Entities.Count && shown.Entities[entity].PartCount == 0;
-
         bool IsFree(int layer) => takesLocked || !drawing.Layers[layer].Locked;
+    }
+
+    private static bool TakesAllVisible(Drawing drawing, HashSet<int> taken)
+    {
+        var shown = ShownDrawing.Of(drawing);
+        return DrawingPick.Visible(shown).All(entity => taken.Contains(entity) || (entity >= drawing.Entities.Count && shown.Entities[entity].PartCount == 0));
     }
 
     /// <summary>The edited drawing with the selected texts and points moved.</summary>

@@ -97,8 +97,8 @@ public sealed record HistoryEntry
     /// <summary>By the keys of docs/settings.md.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
-    /// <summary>The fonts of the texts that were cut; empty if none was.</summary>
-    public IReadOnlyList<CutFont> Fonts { get; init; } = [];
+    /// <summary>The fonts of the texts that were cut; null if none was.</summary>
+    public IReadOnlyList<CutFont>? Fonts { get; init; }
 
     /// <summary>The machine profile in its full form.</summary>
     public JsonElement Profile { get; init; }
@@ -165,7 +165,7 @@ public sealed record HistoryEntry
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
         Settings = SettingValues.Of(settings.AsOpened(drawing)),
-        Fonts = JobPreparation.To<LetteredJob>(drawing, settings).Letters.Fonts,
+        Fonts = FontsOf(JobPreparation.To<LetteredJob>(drawing, settings).Letters.Fonts),
         Profile = ProfileOf(settings),
     };
 
@@ -178,7 +178,7 @@ public sealed record HistoryEntry
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Trajectories is not null,
             Plate = job.Plate?.ToString(),
-            Fonts = job.Fonts,
+            Fonts = FontsOf(job.Fonts),
             Mode = options.Strategy.Key,
             Address = options.Address.Typed,
             Outcome = OutcomeText.Token(outcome),
@@ -186,6 +186,8 @@ public sealed record HistoryEntry
             Checks = checks is null ? null : [.. checks.Checks.Select(check => new HistoryCheck(check.Passed, check.IsWarning, check.Message))],
         };
     }
+
+    private static IReadOnlyList<CutFont>? FontsOf(IReadOnlyList<CutFont> fonts) => fonts.Count == 0 ? null : fonts;
 
     private static JsonElement ProfileOf(DrawingSettings settings)
     {

@@ -43,7 +43,7 @@ internal sealed class LetteringFindings
     public IReadOnlyList<Diagnostic> Of(LetterFonts fonts)
     {
         var all = new List<Diagnostic>(_lost);
-        all.AddRange(fonts.Faults.Select(fault => LetteringRules.SubstitutesUnreadable.At(default, fault.Path, FactText.Of(fault.Line))));
+        all.AddRange(fonts.Faults.Select(fault => LetteringRules.SubstitutesUnreadable.At(default, FactText.Of(fault.Line), fault.Path)));
         all.AddRange(fonts.Used.Where(font => font.Match != FontMatch.Exact).Select(Substituted));
         all.AddRange(_notes.OrderBy(pair => pair.Key).Select(pair => RuleOf(pair.Key).At(pair.Value.First, pair.Value.Details, FactText.Of(pair.Value.Texts))));
         if (_tilted is { } tilted) all.Add(LetteringRules.Tilted.At(tilted.First, FactText.Of(tilted.Count)));

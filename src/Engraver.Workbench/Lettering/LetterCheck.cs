@@ -12,10 +12,14 @@ internal sealed class LetterCheck
     private const double OfSize = 1e-9;
     private const double OfCoordinates = 1e-13;
 
+    /// <summary>Of a curve, for its area.</summary>
+    private const int Chords = 8;
+
     private static readonly double[] s_fractions = [0.0, 0.3, 0.7, 1.0];
 
     private readonly LetterPlaces _places;
     private readonly LetterCurves _curves;
+    private readonly Vector3D _origin;
     private readonly double _allowed;
     private readonly bool[] _isFound;
     private readonly List<Func<double, Vector3D>> _united = [];
@@ -26,6 +30,7 @@ internal sealed class LetterCheck
     {
         (_places, _curves, _isFound) = (places, curves, new bool[curves.Parts.Count]);
         var (start, end, top) = (places.OnLine(0.0, 0.0), places.OnLine(places.Advance, 0.0), places.OnLine(0.0, places.Height));
+        _origin = start;
         _allowed = (OfSize * Math.Max((end - start).Length, (top - start).Length)) + (OfCoordinates * places.LargestTerm);
     }
 
@@ -121,12 +126,37 @@ internal sealed class LetterCheck
     private void CompareRest(double maxError)
     {
         var rest = Enumerable.Range(0, _isFound.Length).Where(i => !_isFound[i]).Select(i => _curves.Parts[i]).ToList();
-        if (rest.Count == 0 && _united.Count > 0) Note(double.PositiveInfinity, _united[0](0.0));
+        if (rest.Count == 0 && HasArea(maxError) && !Reaches(maxError)) Note(double.PositiveInfinity, _united[0](0.0));
         foreach (var point in rest.SelectMany(part => s_fractions.Select(fraction => Of(part, fraction))))
         {
             var distance = _united.Select(curve => CurveDistance.Of(point, curve)).DefaultIfEmpty(double.PositiveInfinity).Min();
             if (!(distance <= maxError + _allowed)) Note(distance, point);
         }
+    }
+
+    /// <summary>True if what is cut reaches as far as the united outlines: they may be inside another one.</summary>
+    private bool Reaches(double maxError)
+    {
+        var cut = _curves.Parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.IsFreeCurve ? _curves.Curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
+        var error = maxError + _allowed;
+        return _united.SelectMany(curve => s_fractions.Select(curve)).All(point => point.X >= cut.MinX - error && point.X <= cut.MaxX + error && point.Y >= cut.MinY - error && point.Y <= cut.MaxY + error);
+    }
+
+    /// <summary>Outlines that are narrower than the error on average enclose nothing: no part is left of them.</summary>
+    private bool HasArea(double maxError)
+    {
+        var (area, length) = (0.0, 0.0);
+        foreach (var curve in _united)
+        {
+            for (var i = 0; i < Chords; i++)
+            {
+                var (one, other) = (curve((double)i / Chords) - _origin, curve((i + 1.0) / Chords) - _origin);
+                area += 0.5 * ((one.X * other.Y) - (one.Y * other.X));
+                length += (other - one).Length;
+            }
+        }
+
+        return Math.Abs(area) > maxError * length;
     }
 
     private void Note(double distance, Vector3D at)

@@ -17,6 +17,11 @@ public static class LetterRun
     private const double BoxAdvance = 0.8;
     private const double BlankAdvance = 0.6;
 
+    /// <summary>The sign of %%c, and the characters that fonts without it have for it: empty set (AutoCAD's), O with stroke.</summary>
+    private const int Diameter = 0x2300;
+
+    private static readonly int[] s_diameters = [0x2205, 0x00D8];
+
     /// <summary>The shapes that were read.</summary>
     private static readonly ConditionalWeakTable<ITextFont, ConcurrentDictionary<int, GlyphCurves?>> s_shapes = [];
 
@@ -105,6 +110,14 @@ public static class LetterRun
     private static (FoundFont Font, int CodePoint, GlyphCurves Curves) GlyphOf(int codePoint, FoundFont font, LayoutNotes notes)
     {
         if (Shape(codePoint, font.Font, notes) is { } own) return (font, codePoint, own);
+        if (codePoint == Diameter)
+        {
+            foreach (var alike in s_diameters)
+            {
+                if (Shape(alike, font.Font, notes) is { } drawn) return (font, alike, drawn);
+            }
+        }
+
         var isBlank = Rune.IsWhiteSpace(new Rune(codePoint));
         if (isBlank) return (font, codePoint, Shape(' ', font.Font, notes) ?? new GlyphCurves(BlankAdvance * font.Font.Metrics.CapHeight, []));
         var substitute = LetterFonts.BuiltIn;

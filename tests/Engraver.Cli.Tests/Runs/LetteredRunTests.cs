@@ -14,7 +14,8 @@ public sealed class LetteredRunTests : IDisposable
     public LetteredRunTests()
     {
         _drawing = _folder.PathOf("label.dxf");
-        File.Copy(SampleDrawing.PathOf("label-plate"), _drawing);
+        var sample = File.ReadAllText(SampleDrawing.PathOf("label-plate"));
+        File.WriteAllText(_drawing, sample.Replace("[[csv:NAME]]", "Pump 1", StringComparison.Ordinal).Replace("[[n:0000]]", "0042", StringComparison.Ordinal).Replace("[[date:yyyy-MM-dd]]", "2026-11-27", StringComparison.Ordinal));
         File.Copy(Path.Combine(RepositoryFolder.Samples, Font), _folder.PathOf(Font));
     }
 
@@ -35,7 +36,7 @@ public sealed class LetteredRunTests : IDisposable
         Assert.Equal([(Font, "Plate Letters"), ("txt", "Engraver")], Fonts(report).Select(font => (font.Requested, font.Font)));
         Assert.Equal((true, true), (Fonts(report).SequenceEqual(Fonts(plan)), Fonts(report).SequenceEqual(Fonts(certificate))));
         Assert.Empty(Fonts(without));
-        Assert.Contains(Fonts(report)[0].Sha256, (await File.ReadAllLinesAsync(_folder.PathOf("a.jsonl")))[0], StringComparison.Ordinal);
+        Assert.Contains(Fonts(report)[0].Sha256, (await File.ReadAllLinesAsync(_folder.PathOf("a.jsonl")))[1], StringComparison.Ordinal);
         Assert.Empty(report.GetProperty("notCut").EnumerateObject());
     }
 

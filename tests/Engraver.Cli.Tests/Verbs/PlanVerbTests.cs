@@ -34,7 +34,7 @@ public class PlanVerbTests
         var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--json"));
         var seconds = plan.GetProperty("seconds");
 
-        Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost", "notCut", "costParts", "uncut", "fonts"], plan.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost", "notCut", "costParts", "uncut", "fonts", "plates"], plan.EnumerateObject().Select(field => field.Name));
         Assert.Equal(["total", "cutting", "rapid", "dwell"], seconds.EnumerateObject().Select(field => field.Name));
         Assert.Equal(seconds.GetProperty("total").GetDouble(), seconds.GetProperty("cutting").GetDouble() + seconds.GetProperty("rapid").GetDouble() + seconds.GetProperty("dwell").GetDouble(), precision: 12);
         Assert.Equal(300.0 + (50.0 * Math.PI), plan.GetProperty("cutLength").GetDouble(), precision: 9);

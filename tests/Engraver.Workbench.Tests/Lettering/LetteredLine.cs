@@ -15,12 +15,16 @@ internal static class LetteredLine
     /// <summary>The outline font of the samples.</summary>
     public const string Outlines = "plate-letters.ttf";
 
+    /// <summary>Two squares of 400 units that overlap in a square of 200, for the letters of a ring and a stroke.</summary>
+    public const string Crossing = "crossing.ttf";
+
     public const double MaxError = 0.002;
 
     private static readonly Lazy<FontLibrary> s_library = new(() =>
     {
         var folder = Directory.CreateTempSubdirectory("engraver-letters-").FullName;
         File.WriteAllBytes(Path.Combine(folder, Squares), FontBuilder.TrueType("Squares", 4, 'A', 'H').Build());
+        File.WriteAllBytes(Path.Combine(folder, Crossing), FontBuilder.TrueType("Crossing", 4, 'H', 0xC5, 0xD8).With("glyf", TwoSquares()).With("loca", [0, 0, 0, 0, .. FontBuilder.U16(TwoSquares().Length / 2)]).Build());
         File.Copy(Path.Combine(RepositoryFolder.Samples, Outlines), Path.Combine(folder, Outlines));
         return new FontLibrary([folder], FontSubstitutes.Standard);
     });
@@ -50,6 +54,15 @@ internal static class LetteredLine
         var curves = CurvesOf(written, inserts);
         var box = curves.Parts.Aggregate(Bounds2D.Empty, (all, part) => all.Union(part.IsFreeCurve ? curves.Curves[part.CurveIndex].Bounds : part.InPlan().Bounds));
         return (Round(box.MinX), Round(box.MinY), Round(box.MaxX), Round(box.MaxY));
+    }
+
+    /// <summary>Squares at 100,0 and 300,200; eight points, all on the outline, coordinates as differences.</summary>
+    private static byte[] TwoSquares()
+    {
+        int[] x = [100, 400, 0, -400, 200, 400, 0, -400], y = [0, 0, 400, 0, -200, 0, 400, 0];
+        return [.. Words(2, 100, 0, 700, 600, 3, 7, 0), .. Enumerable.Repeat((byte)1, 8), .. Words(x), .. Words(y)];
+
+        static IEnumerable<byte> Words(params int[] values) => values.SelectMany(FontBuilder.U16);
     }
 
     private static double Round(double value) => Math.Round(value, 6) + 0.0;

@@ -162,6 +162,30 @@ public class LineLayoutTests
         Assert.Equal("Engraver", layout.Glyphs[1].Font.Font.Name);
     }
 
+    /// <summary>Two squares that overlap in each letter are one outline of eight lines: it is compared with the outlines of the font.</summary>
+    [Fact]
+    public void Outlines_that_were_united_are_compared_with_those_of_the_font()
+    {
+        var written = s_two with { Raw = "ÅÅ", Height = 20.0 };
+        var fonts = LetteredLine.Fonts(LetteredLine.Crossing);
+        var style = fonts.StyleOf("S");
+        var places = LetterPlaces.Of(LetteredLine.Text(written), style, fonts.Of(style));
+        var united = LetteredLine.CurvesOf(written, font: LetteredLine.Crossing);
+        var moved = LetteredLine.CurvesOf(written with { Insertion = new Vector3D(10.1, 20.0, 0.0) }, font: LetteredLine.Crossing);
+
+        Assert.Equal(2 * 8, united.Parts.Count);
+        Assert.Null(LetterCheck.Find(places, united, LetteredLine.MaxError));
+        Assert.InRange(LetterCheck.Find(places, moved, LetteredLine.MaxError)!.Value.Distance, 0.05, 0.2);
+    }
+
+    [Fact]
+    public void A_diameter_sign_is_the_fonts_own_letter_with_a_stroke_where_it_has_no_other()
+    {
+        var layout = LineLayout.Of(LetteredLine.Text(s_two with { Raw = "%%c" }), LetteredLine.Fonts(LetteredLine.Crossing))!;
+
+        Assert.Equal((0xD8, 0), (layout.Glyphs[0].CodePoint, layout.Notes.Count));
+    }
+
     private static IEnumerable<WrittenText> Forms(string raw, int horizontal, int vertical) =>
         from turn in new[] { 0.0, 37.0, 270.0 }
         from width in new[] { 1.0, 0.7, -1.3 }

@@ -104,6 +104,7 @@ public class StageSettingsTests
         ChainedJob { Chained: var chained } => Join([.. Print(chained.Segments), chained.Chain.Contours.Count, chained.DuplicatesRemoved, .. Sentences(chained.Diagnostics)]),
         CompensatedJob { Cut: var cut } => Join([.. Print(cut.Table.ToSegments()), .. Sentences(cut.Diagnostics)]),
         AnalysedJob of => Join([.. Print(of.Analysed.ToSegments())]),
+        LetteredJob { Letters: var letters } => Join([letters.Drawing.Entities.Count, letters.Drawing.Parts.Count, letters.Texts.Count, .. Sentences(letters.Findings)]),
         _ => throw new ArgumentException("not printed", nameof(job)),
     };
 

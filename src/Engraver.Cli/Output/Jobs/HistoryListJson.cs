@@ -17,6 +17,6 @@ internal sealed record HistoryListJson(IReadOnlyList<HistoryListJson.JobJson> En
     {
         public static JobJson From(HistoryEntry entry) => new(
             entry.Id, entry.Date, entry.Kind, entry.Drawing, entry.DrawingSha256, entry.Target, entry.Mode, entry.Address, entry.Outcome, entry.Sentence,
-            entry.Seconds, entry.PlannedSeconds, entry.MaxDeviation, entry.MissingLength, [.. (entry.OpenLoop ?? []).Select(axis => axis.ToString())], entry.Journal, entry.Program, entry.Report, entry.Settings, entry.Options, entry.ReadBack, entry.Plate, entry.Fonts);
+            entry.Seconds, entry.PlannedSeconds, entry.MaxDeviation, entry.MissingLength, [.. (entry.OpenLoop ?? []).Select(axis => axis.ToString())], entry.Journal, entry.Program, entry.Report, entry.Settings, entry.Options, entry.ReadBack, entry.Plate, entry.Fonts ?? []);
     }
 }

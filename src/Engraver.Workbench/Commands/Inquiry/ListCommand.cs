@@ -1,4 +1,3 @@
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;

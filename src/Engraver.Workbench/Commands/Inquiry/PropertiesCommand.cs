@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;

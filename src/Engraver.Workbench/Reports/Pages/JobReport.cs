@@ -77,7 +77,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             OtherCertificates = [.. OthersOf(request, request.Strategy.Style, cancellation)],
             Run = request.Run,
-            RunDifferences = request.Run is { } run ? JobIdentity.Of(request.Drawing, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash(request.Families), run.Fonts) : [],
+            RunDifferences = request.Run is { } run ? JobIdentity.Of(request.Drawing, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash(request.Families), run.Fonts ?? []) : [],
         };
         if (request.Journal is not { } journal) return report;
         report = report.WithTrace(journal);
