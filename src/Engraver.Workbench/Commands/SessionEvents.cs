@@ -40,10 +40,11 @@ internal sealed class SessionEvents : IDisposable
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;
+        var plate = _plates.Of(state);
         _machine.Profile = state.Settings.Machine;
-        if (_machine.Arming.Armed is { Job: var job } && !job.IsOf(state, _plates.Of(state))) _machine.Arming.Disarm();
+        if (_machine.Arming.Armed is { Job: var job } && !job.IsOf(state, plate)) _machine.Arming.Disarm();
         if (_machine.Runs.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.Runs.ChoosePart(null);
-        if (_machine.Runs.ShownJob is { } shown && !shown.IsOf(state, _plates.Of(state))) _machine.Runs.DismissJob();
+        if (_machine.Runs.ShownJob is { } shown && !shown.IsOf(state, plate)) _machine.Runs.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)
