@@ -36,7 +36,7 @@ public sealed class NextPlateTests(DesktopFixture fixture)
 
     private static List<Segment> PartsOf(Operator here) => PartsOf(here.Window.Canvas.Scene!.Shown);
 
-    private static List<Segment> PartsOf(Drawing shown) => [.. shown.Parts.Select(part => shown.SegmentOf(part))];
+    private static List<Segment> PartsOf(Drawing shown) => [.. Enumerable.Range(0, shown.Parts.Count).Select(part => shown.SegmentOf(shown.Parts[part]))];
 
     private static Drawing Drawing(string text) => ShownDrawing.Of(DrawingFile.Open(Write(text), new DrawingSettings(), CancellationToken.None));
 
