@@ -4,6 +4,7 @@ using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Drawings;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -16,6 +17,7 @@ public sealed class CanvasSource
     private readonly DesktopModel _desk;
     private readonly DrawingCanvas _canvas;
     private Drawing? _drawing;
+    private PlateValues _values = PlateValues.None;
     private PreparedJob? _job;
     private MachineOverlay? _machine;
     private TrajectoryList _trajectories = TrajectoryList.Empty;
@@ -43,7 +45,8 @@ public sealed class CanvasSource
     private void Refresh()
     {
         var state = _desk.Session.Document.Current;
-        if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
+        var values = _desk.Session.Plates.Of(state)?.Values ?? PlateValues.None;
+        if (!ReferenceEquals(state.Drawing, _drawing) || values != _values) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing, _values = values));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
         var lit = _desk.Session.HighlightedEntities;
         if (!ReferenceEquals(_canvas.Selection, lit)) _canvas.Selection = lit;
@@ -62,10 +65,10 @@ public sealed class CanvasSource
         _canvas.Pointing.Figures = settings.Figures();
     }
 
-    private async Task ShowDrawingAsync(Drawing? drawing)
+    private async Task ShowDrawingAsync(Drawing? drawing, PlateValues values)
     {
         var scene = drawing is null ? null : await Task.Run(() => CanvasScene.From(drawing));
-        if (!ReferenceEquals(drawing, _drawing)) return;
+        if (!ReferenceEquals(drawing, _drawing) || values != _values) return;
         _canvas.Overlay = null;
         _canvas.Scene = scene;
         _canvas.Overlay = WithTrajectories(null);

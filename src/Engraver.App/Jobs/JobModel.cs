@@ -64,6 +64,7 @@ public sealed class JobModel : ObservableObject
         }
 
         if (_desk.Derived.Current is { Job: { } job, Plan: { } plan } && JobSheet.Of(job, plan, settings.Machine.Rates).Cost is { } cost) figures.Add(new(Text.Get("Job.Cost"), Text.Get("Job.CostParts", cost.Total, cost.Time, cost.Length, cost.Starts)));
+        if (_desk.Derived.Job?.Plate is { } plate) figures.Insert(0, new(Text.Get("Job.Plate"), _desk.Session.Plates.TextOf(plate)));
         if (_desk.Derived.PlannedSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Get("Job.Time"), ClockText.Format(seconds)));
         return figures;
     }

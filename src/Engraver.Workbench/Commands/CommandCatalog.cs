@@ -46,7 +46,7 @@ public sealed class CommandCatalog
         new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceUpdateTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),
         new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new CertifyCommand(), new SendCommand(), new PlotCommand(), new PlotExportCommand(), new ReportCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
-        new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
+        new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(), new CncPlateCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new PlotCompareCommand(), new AlarmsCommand(), new CncTerminalCommand(),
         .. SettingCommand.All, new KerfCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,

@@ -11,6 +11,7 @@ using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Plots;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -37,6 +38,12 @@ public sealed class CommandContext
     public ViewSession View => _session.View;
 
     public SettingsSession Settings => _session.Settings;
+
+    /// <summary>The plates of the open drawing.</summary>
+    public PlateSession Plates => _session.Plates;
+
+    /// <summary>What the fields in its texts stand for on the next plate.</summary>
+    internal PlateValues PlateValues => Plates.Of(Document.Current)?.Values ?? PlateValues.None;
 
     public DerivationSession Derivation => _session.Derivation;
 

@@ -12,6 +12,7 @@ using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Plots;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -35,7 +36,8 @@ public sealed class CommandSession : IAsyncDisposable
         Catalog = catalog;
         Concurrent = new ConcurrentCommands(this, _frames);
         Machine = new MachineSession(environment.Time, MachineMemories.FolderIn(environment.RunJournalFolder), families: environment.Families);
-        Derivation = new DerivationSession(Document);
+        Plates = new PlateSession(CounterBook.In(environment.RunJournalFolder, environment.Time), environment.Time);
+        Derivation = new DerivationSession(Document, Plates);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
         Plots = new PlotSession(Derivation, Machine);
@@ -43,7 +45,7 @@ public sealed class CommandSession : IAsyncDisposable
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
-        _events = new SessionEvents(Document, Machine, Derivation, Playback, Certificates);
+        _events = new SessionEvents(Document, Plates, Machine, Derivation, Playback, Certificates);
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -64,6 +66,9 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Results derived from the document: strokes, job, findings and plan.</summary>
     public DerivationSession Derivation { get; }
+
+    /// <summary>The plates of the open drawing.</summary>
+    public PlateSession Plates { get; }
 
     /// <summary>The certificate status of the document's job.</summary>
     public CertificateMonitor Certificates { get; } = new();

@@ -9,6 +9,7 @@ namespace Engraver.Workbench.Commands;
 internal sealed class SessionEvents : IDisposable
 {
     private readonly DocumentSession _document;
+    private readonly PlateSession _plates;
     private readonly MachineSession _machine;
     private readonly DerivationSession _derivation;
     private readonly PlaybackSession _playback;
@@ -16,10 +17,11 @@ internal sealed class SessionEvents : IDisposable
     private readonly CancellationTokenSource _disposed = new();
     private PreparedJob? _certifiedJob;
 
-    public SessionEvents(DocumentSession document, MachineSession machine, DerivationSession derivation, PlaybackSession playback, CertificateMonitor certificates)
+    public SessionEvents(DocumentSession document, PlateSession plates, MachineSession machine, DerivationSession derivation, PlaybackSession playback, CertificateMonitor certificates)
     {
-        (_document, _machine, _derivation, _playback, _certificates) = (document, machine, derivation, playback, certificates);
+        (_document, _plates, _machine, _derivation, _playback, _certificates) = (document, plates, machine, derivation, playback, certificates);
         document.Changed += OnDocumentChanged;
+        plates.Changed += OnDocumentChanged;
         derivation.Changed += OnDerived;
         machine.Changed += OnMachineChanged;
     }
@@ -28,19 +30,21 @@ internal sealed class SessionEvents : IDisposable
     {
         _disposed.Cancel();
         _document.Changed -= OnDocumentChanged;
+        _plates.Changed -= OnDocumentChanged;
         _derivation.Changed -= OnDerived;
         _machine.Changed -= OnMachineChanged;
     }
 
-    /// <summary>Passes the profile of the settings to the machine session. Disarms an armed job, because the drawing or the settings have changed, and hides
+    /// <summary>Passes the profile of the settings to the machine session. Disarms an armed job, because the drawing, the settings or the plate have changed, and hides
     /// the progress of the last job.</summary>
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;
+        var plate = _plates.Of(state);
         _machine.Profile = state.Settings.Machine;
-        if (_machine.Arming.Armed is { Job: var job } && !job.IsOf(state)) _machine.Arming.Disarm();
+        if (_machine.Arming.Armed is { Job: var job } && !job.IsOf(state, plate)) _machine.Arming.Disarm();
         if (_machine.Runs.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.Runs.ChoosePart(null);
-        if (_machine.Runs.ShownJob is { } shown && !shown.IsOf(state)) _machine.Runs.DismissJob();
+        if (_machine.Runs.ShownJob is { } shown && !shown.IsOf(state, plate)) _machine.Runs.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)
@@ -58,6 +62,10 @@ internal sealed class SessionEvents : IDisposable
         _ = _certificates.CheckAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Strategy, job.Drawing).Program, _disposed.Token);
     }
 
-    /// <summary>The planned time depends on the serial line of the machine.</summary>
-    private void OnMachineChanged(object? sender, EventArgs e) => _derivation.Line = _machine.Connection.Line;
+    /// <summary>The planned time depends on the serial line of the machine, the plate on the job that is resumed.</summary>
+    private void OnMachineChanged(object? sender, EventArgs e)
+    {
+        _derivation.Line = _machine.Connection.Line;
+        _plates.Resumed = _machine.Runs.Part?.Plate;
+    }
 }

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.Documents;
 
@@ -10,17 +11,20 @@ public sealed class DerivationSession : IDisposable
 {
     private readonly Lock _guard = new();
     private readonly DocumentSession _document;
+    private readonly PlateSession _plates;
     private Derivation? _running;
     private ExecutionStrategy? _strategy;
     private SerialAddress? _line;
     private bool _isAutomatic;
     private DerivedDocument? _cancelledWork;
 
-    public DerivationSession(DocumentSession document)
+    public DerivationSession(DocumentSession document, PlateSession plates)
     {
         ArgumentNullException.ThrowIfNull(document);
-        _document = document;
+        ArgumentNullException.ThrowIfNull(plates);
+        (_document, _plates) = (document, plates);
         _document.Changed += OnDocumentChanged;
+        _plates.Changed += OnDocumentChanged;
     }
 
     /// <summary>Raised after <see cref="Current"/> has changed, on a thread of the pool.</summary>
@@ -87,7 +91,7 @@ public sealed class DerivationSession : IDisposable
             var state = _document.Current;
             var strategy = StrategyFor(state);
             if (IsOf(Current, state, strategy, _line)) return Task.FromResult(Current);
-            if (_running is null || !IsOf(_running.Wanted, state, strategy, _line)) Start(new DerivedDocument(state, strategy) { Line = _line });
+            if (_running is null || !IsOf(_running.Wanted, state, strategy, _line)) Start(new DerivedDocument(state, strategy) { Line = _line, Plate = _plates.Of(state) });
             return _running!.Result.WaitAsync(cancellation);
         }
     }
@@ -111,6 +115,7 @@ public sealed class DerivationSession : IDisposable
     public void Dispose()
     {
         _document.Changed -= OnDocumentChanged;
+        _plates.Changed -= OnDocumentChanged;
         lock (_guard) _running?.Cancel.Cancel();
     }
 
@@ -120,23 +125,23 @@ public sealed class DerivationSession : IDisposable
         return _strategy is { } chosen && driver.Strategies.Contains(chosen) ? chosen : driver.DefaultStrategy;
     }
 
-    private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy, SerialAddress? line) => derived.Line == line && IsOf(derived, state, strategy);
+    private bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy, SerialAddress? line) => derived.Line == line && IsOf(derived, state, strategy, _plates.Of(state));
 
-    private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy) =>
-        derived.Strategy == strategy && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings;
+    private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy, Plate? plate) =>
+        derived.Strategy == strategy && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings && derived.Plate == plate;
 
     private void Start(DerivedDocument wanted)
     {
         _running?.Cancel.Cancel();
         _cancelledWork = null;
         var cancel = new CancellationTokenSource();
-        var known = IsOf(Current, wanted.State, wanted.Strategy) ? Current : null;
+        var known = IsOf(Current, wanted.State, wanted.Strategy, wanted.Plate) ? Current : null;
         var before = known is null && Prerequisite?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
         var work = Task.Run(
             async () =>
             {
                 await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.CreateReporter(cancel.Token))).WithLine(wanted.Line);
+                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.CreateReporter(cancel.Token), wanted.Plate)).WithLine(wanted.Line);
             },
             cancel.Token);
         _running = new Derivation(wanted, cancel, FinishAsync(work, cancel));

@@ -6,6 +6,7 @@ using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -26,6 +27,9 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
     public SequencingResult? Sequence => Job?.Sequence;
 
     public PreparedJob? Job { get; init; }
+
+    /// <summary>The plate whose values the texts have; null for a drawing without plates.</summary>
+    public Plate? Plate { get; init; }
 
     /// <summary>The serial line used for <see cref="Plan"/>; null: a network.</summary>
     public SerialAddress? Line { get; init; }
@@ -52,15 +56,16 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
     public string? Problem { get; init; }
 
     /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
+    /// <param name="plate">The plate to show; null for a drawing without plates.</param>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null)
+    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null, Plate? plate = null)
     {
-        var derived = new DerivedDocument(state, strategy);
+        var derived = new DerivedDocument(state, strategy) { Plate = plate };
         if (state.Drawing is not { } drawing) return derived;
         try
         {
-            var planned = new StageRun(new DrawnJob(drawing, state.Settings, strategy.Style), cancellation, progress).To<PlannedJob>();
-            var job = PreparedJob.From(planned);
+            var planned = new StageRun(PlateJob.Drawn(drawing, state.Settings, strategy.Style, plate), cancellation, progress).To<PlannedJob>();
+            var job = PreparedJob.From(planned) with { Plate = plate };
             return derived with
             {
                 Job = job,

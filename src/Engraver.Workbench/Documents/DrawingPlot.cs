@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Stages;
@@ -12,12 +13,13 @@ namespace Engraver.Workbench.Documents;
 public static class DrawingPlot
 {
     /// <param name="asDrawn">True: curves in file order, no path.</param>
+    /// <param name="values">What the fields in its texts stand for; null for none.</param>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
-    public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn)
+    public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn, PlateValues? values = null)
     {
         var title = Path.GetFileName(drawing.FileName);
-        if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings), title);
-        return PlotModel.FromPath(JobPreparation.To<PathJob>(drawing, settings).Toolpath, title);
+        if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings, values), title);
+        return PlotModel.FromPath(JobPreparation.To<PathJob>(drawing, settings, values).Toolpath, title);
     }
 
     /// <summary>Trajectories over the drawing: those of the document or of the sidecar, otherwise one along each contour.</summary>

@@ -34,13 +34,13 @@ public static class JobPreparation
 
     /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
-    public static EntityTable Analyse(Drawing drawing, DrawingSettings settings) => To<AnalysedJob>(drawing, settings).Analysed;
+    public static EntityTable Analyse(Drawing drawing, DrawingSettings settings, PlateValues? values = null) => To<AnalysedJob>(drawing, settings, values).Analysed;
 
     /// <summary>The cut table in cutting order, with the findings of the tool radius compensation.</summary>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
-    public static (EntityTable Table, IReadOnlyList<Diagnostic> Findings) CutTableOf(Drawing drawing, DrawingSettings settings)
+    public static (EntityTable Table, IReadOnlyList<Diagnostic> Findings) CutTableOf(Drawing drawing, DrawingSettings settings, PlateValues? values = null)
     {
-        var ordered = To<OrderedJob>(drawing, settings);
+        var ordered = To<OrderedJob>(drawing, settings, values);
         return (ordered.Sequence.Table, ordered.Cut.Kerf?.Diagnostics ?? []);
     }
 

@@ -71,12 +71,13 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults, Fonts = job.Letters.Fonts };
     }
 
-    /// <summary>True if this is the job of a document: same drawing and settings, and same trajectories if these are run.</summary>
-    public bool IsOf(DocumentState state)
+    /// <summary>True if this is the job of a document: same drawing, settings and plate, or same trajectories if these are run.</summary>
+    /// <param name="plate">The next plate of the document; null for none.</param>
+    public bool IsOf(DocumentState state, Plate? plate)
     {
         ArgumentNullException.ThrowIfNull(state);
         if (!ReferenceEquals(DocumentDrawing, state.Drawing)) return false;
-        return Trajectories is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
+        return Trajectories is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings && Plate == plate;
     }
 
     /// <summary>Message about the faults of the toolpath or of the fields in texts, without a full stop.</summary>

@@ -16,7 +16,8 @@ public static class UserFiles
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
 
     /// <summary>The counters of serial texts (docs/serial-text.md).</summary>
-    public static string Counters => Path.Combine(Folder, "counters", "counters.json");
+    /// <param name="folder">The data folder.</param>
+    public static string CountersIn(string folder) => Path.Combine(folder, "counters", "counters.json");
 
     /// <summary>The persistent settings of the desktop.</summary>
     public static string DesktopSettingsFile => Path.Combine(Folder, "desktop.json");

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Engraver.Core.Drawings;
+using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.LetteredDrawings;
 
@@ -15,7 +16,10 @@ public static class ShownDrawing
     private const double MaxErrorMm = 0.00025;
 
     private static readonly Lock s_guard = new();
-    private static readonly ConditionalWeakTable<Drawing, Lazy<Drawing>> s_known = [];
+    private static readonly ConditionalWeakTable<Drawing, Known> s_known = [];
+
+    /// <summary>What the fields in the texts of a drawing are shown as.</summary>
+    private static readonly ConditionalWeakTable<Drawing, PlateValues> s_values = [];
 
     /// <summary>The drawings whose letters are kept, the last one first.</summary>
     private static readonly LinkedList<WeakReference<Drawing>> s_recent = new();
@@ -26,14 +30,30 @@ public static class ShownDrawing
     {
         ArgumentNullException.ThrowIfNull(drawing);
         if (drawing.Texts.Count == 0) return drawing;
-        Lazy<Drawing>? known;
+        Known? known;
         lock (s_guard)
         {
             if (!s_known.TryGetValue(drawing, out known)) known = Keep(drawing);
         }
 
-        return known.Value;
+        return known.Shown.Value;
     }
+
+    /// <summary>Shows the fields in the texts of a drawing as these values, until others are stated.</summary>
+    public static void Fill(Drawing drawing, PlateValues values)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(values);
+        lock (s_guard)
+        {
+            if (ValuesOf(drawing) == values) return;
+            s_values.AddOrUpdate(drawing, values);
+            if (s_known.TryGetValue(drawing, out _)) Keep(drawing);
+        }
+    }
+
+    /// <summary>The values with which a drawing is shown.</summary>
+    public static PlateValues ValuesOf(Drawing drawing) => s_values.TryGetValue(drawing, out var values) ? values : PlateValues.None;
 
     /// <summary>The letters of texts that a drawing could have, for previews: a drawing with one entity for each.</summary>
     /// <param name="drawing">Its layers and styles are used.</param>
@@ -46,11 +66,13 @@ public static class ShownDrawing
         return entity >= drawing.Entities.Count && entity - drawing.Entities.Count < drawing.Texts.Count ? entity - drawing.Entities.Count : null;
     }
 
-    private static Lazy<Drawing> Keep(Drawing drawing)
+    private static Known Keep(Drawing drawing)
     {
-        var before = s_recent.Select(kept => kept.TryGetTarget(out var target) ? target : null).FirstOrDefault(kept => kept is not null && IsEditOf(drawing, kept));
-        var shownBefore = before is not null && s_known.TryGetValue(before, out var known) && known.IsValueCreated ? known.Value : null;
-        var created = new Lazy<Drawing>(() => before is null || shownBefore is null ? Lettered(drawing) : Edited(drawing, before, shownBefore));
+        var recent = s_recent.Select(kept => kept.TryGetTarget(out var target) ? target : null).FirstOrDefault(kept => kept is not null && IsEditOf(drawing, kept));
+        var before = recent is not null && s_known.TryGetValue(recent, out var known) && known.Shown.IsValueCreated ? known : null;
+        var (filled, shownBefore) = (FilledTexts.Of(drawing, ValuesOf(drawing)), before?.Shown.Value);
+        var created = new Known(filled, new Lazy<Drawing>(() => before is null || shownBefore is null ? Lettered(filled) : Edited(filled, before.Filled, shownBefore)));
+        if (s_known.TryGetValue(drawing, out _)) Forget(drawing);
         s_known.Add(drawing, created);
         s_recent.AddFirst(new WeakReference<Drawing>(drawing));
         while (s_recent.Count > MaxKept)
@@ -60,6 +82,17 @@ public static class ShownDrawing
         }
 
         return created;
+    }
+
+    private static void Forget(Drawing drawing)
+    {
+        s_known.Remove(drawing);
+        for (var node = s_recent.First; node is not null; node = node.Next)
+        {
+            if (!node.Value.TryGetTarget(out var kept) || !ReferenceEquals(kept, drawing)) continue;
+            s_recent.Remove(node);
+            return;
+        }
     }
 
     /// <summary>True if a text that both drawings have is shown by the same curves.</summary>
@@ -108,4 +141,8 @@ public static class ShownDrawing
 
     private static Drawing Letters(Drawing drawing, Predicate<PlacedText> isTaken) =>
         LetteredDrawing.Of(drawing, isTaken, LetterLibrary.FontsOf(drawing), drawing.Scale.ToDrawing(MaxErrorMm), CancellationToken.None).Drawing;
+
+    /// <param name="Filled">The drawing with the fields in its texts filled.</param>
+    /// <param name="Shown">With its letters.</param>
+    private sealed record Known(Drawing Filled, Lazy<Drawing> Shown);
 }

@@ -18,7 +18,11 @@ public sealed class CounterBook
     public CounterBook(string path, TimeProvider time) => (_path, _time, _file) = (path, time, new CounterFile(path, time));
 
     /// <summary>The book in the operator's data folder.</summary>
-    public static CounterBook OfOperator(TimeProvider time) => new(UserFiles.Counters, time);
+    public static CounterBook OfOperator(TimeProvider time) => In(null, time);
+
+    /// <summary>The book beside journals.</summary>
+    /// <param name="journals">Their folder; null for the operator's data folder.</param>
+    public static CounterBook In(string? journals, TimeProvider time) => new(UserFiles.CountersIn(journals ?? UserFiles.Folder), time);
 
     /// <exception cref="CounterException">The file cannot be read, or is damaged.</exception>
     public CounterState Read()
@@ -45,7 +49,7 @@ public sealed class CounterBook
         await _file.ChangeAsync(
             document =>
             {
-                if (document.NextOf(counter) is { } before && next < before) warning = SerialRules.CounterSetBack.At(default, counter, FactText.Of(next), FactText.Of(before));
+                if (document.NextOf(counter) is { } before && next < before) warning = SerialRules.CounterSetBack.At(default, counter, FactText.Of(before), FactText.Of(next));
                 return LeaveOut(document, [counter]).WithNext(counter, next);
             },
             cancellation).ConfigureAwait(false);

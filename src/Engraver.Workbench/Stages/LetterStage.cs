@@ -31,12 +31,9 @@ internal sealed class LetterStage() : JobStage<DrawnJob, LetteredJob>("Letter", 
         if (!job.Settings.Cut.HasFlag(CutChoice.Text) || job.Drawing.Texts.Count == 0) return new LetteredJob(job, LetteredDrawing.None(job.Drawing));
         var taken = StageOptions.SelectionOf(job.Settings).Taken(job.Drawing.Layers);
         var fields = FieldsOf(job.Drawing, job.Settings).Check(job.Values).ToLookup(finding => finding.Severity == Severity.Error);
-        var letters = LetteredDrawing.Of(Filled(job.Drawing, job.Values), text => IsTaken(text, taken), LetterLibrary.FontsOf(job.Drawing), job.Drawing.Scale.ToDrawing(ErrorShare * job.Settings.MaxErrorMm), cancellation);
+        var letters = LetteredDrawing.Of(FilledTexts.Of(job.Drawing, job.Values), text => IsTaken(text, taken), LetterLibrary.FontsOf(job.Drawing), job.Drawing.Scale.ToDrawing(ErrorShare * job.Settings.MaxErrorMm), cancellation);
         return new LetteredJob(job with { Drawing = letters.Drawing, Findings = [.. job.Findings, .. letters.Findings, .. fields[false]] }, letters) { FieldFaults = [.. fields[true]] };
     }
 
     private static bool IsTaken(PlacedText text, bool[] taken) => !text.Hidden && taken[text.Layer];
-
-    private static Drawing Filled(Drawing drawing, PlateValues values) => values.IsNone ? drawing
-        : drawing with { Texts = [.. drawing.Texts.Select(text => text with { Written = text.Written with { Raw = values.Fill(text.Written.Raw, text.Written.Tag) } })] };
 }

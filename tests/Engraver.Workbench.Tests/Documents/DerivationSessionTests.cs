@@ -3,6 +3,7 @@ using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Documents;
@@ -15,7 +16,7 @@ public sealed class DerivationSessionTests : IDisposable
     public DerivationSessionTests()
     {
         _document.Commit("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Circle(20, 5, 3).Build() });
-        _derivation = new DerivationSession(_document);
+        _derivation = new DerivationSession(_document, new PlateSession(CounterBook.In(Path.GetTempPath(), TimeProvider.System), TimeProvider.System));
     }
 
     [Fact]

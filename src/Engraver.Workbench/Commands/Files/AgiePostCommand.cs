@@ -22,7 +22,7 @@ internal sealed class AgiePostCommand : ICommand
         var style = await context.ChoiceAsync(Wording.Get("AgiePost.EnterStyle"), Keyword.List("Exact", "Paper"), context.LastValue(Name, "Exact")).ConfigureAwait(false);
         context.Remember(Name, style);
         var options = new Dictionary<string, string> { [AgiePost.Style.Name] = style == "Paper" ? AgiePost.PaperStyle : AgiePost.ExactStyle };
-        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, new AgiePost(), options);
+        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, new AgiePost(), options, context.PlateValues);
         FindingMessages.Write(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.NoProgramReason}.");
         var name = await ResultFile.WriteAsync(context, "program", new AgiePost().FileExtension, output => output.Write(text)).ConfigureAwait(false);

@@ -40,7 +40,7 @@ internal sealed class CertifyCommand : ICommand
     {
         var (settings, hash) = (context.Document.Current.Settings, ContentHash.OfFile(file));
         var drawing = DrawingFile.Open(file, settings, cancellation);
-        return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Connection.Line, Strategy = context.Derivation.Strategy };
+        return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Connection.Line, Strategy = context.Derivation.Strategy, Values = context.PlateValues };
     }
 
     /// <summary>Updates the start checks.</summary>

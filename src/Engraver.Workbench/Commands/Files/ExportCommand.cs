@@ -36,10 +36,10 @@ internal sealed class ExportCommand : ICommand
         switch (ending)
         {
             case ".svg":
-                var plot = DrawingPlot.Create(drawing, settings, asDrawn: false);
+                var plot = DrawingPlot.Create(drawing, settings, asDrawn: false, context.PlateValues);
                 return (output => SvgPlotWriter.Write(plot, output), null);
             case ".csv" or ".json":
-                var (table, findings) = JobPreparation.CutTableOf(drawing, settings);
+                var (table, findings) = JobPreparation.CutTableOf(drawing, settings, context.PlateValues);
                 FindingMessages.Write(context, drawing.FileName, findings, Severity.Warning);
                 return (output => EntityTableFormat.Write(ending[1..], table, output), null);
             default: return Program(ending) is { } post ? Program(context, post) : null;
@@ -51,7 +51,7 @@ internal sealed class ExportCommand : ICommand
 
     private static (Action<TextWriter> Write, PostForecast? Forecast) Program(CommandContext context, IPost post)
     {
-        var posted = PostedProgram.Create(context.Drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
+        var posted = PostedProgram.Create(context.Drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions, context.PlateValues);
         FindingMessages.Write(context, context.Drawing.FileName, posted.Diagnostics, Severity.Warning);
         return posted.Text is { } text ? (output => output.Write(text), posted.Forecast) : throw new CommandException(CommandFailure.Drawing, $"{posted.NoProgramReason}.");
     }

@@ -16,7 +16,7 @@ internal sealed class PlotCommand : ICommand
         var what = await context.ChoiceAsync(Wording.Get("Plot.EnterContent"), Keyword.List("Drawing", "Path", "Trajectory"), context.LastValue("PLOT", "Path")).ConfigureAwait(false);
         context.Remember("PLOT", what);
         var state = context.Document.Current;
-        var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectorySelection.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing");
+        var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectorySelection.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing", context.PlateValues);
         await ResultFile.WriteAsync(context, "plot", ".svg", output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
     }
 }

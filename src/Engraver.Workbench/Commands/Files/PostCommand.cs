@@ -29,7 +29,7 @@ internal sealed class PostCommand : ICommand
     public static async Task WriteAsync(CommandContext context, PostEntry entry, IReadOnlyDictionary<string, string> options)
     {
         var (drawing, settings, post) = (context.Drawing, context.Document.Current.Settings, entry.Post);
-        var posted = PostedProgram.Create(drawing, settings, post, options);
+        var posted = PostedProgram.Create(drawing, settings, post, options, context.PlateValues);
         FindingMessages.Write(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.NoProgramReason}.");
         var name = await ResultFile.WriteAsync(context, "program", post.FileExtension, output => output.Write(text)).ConfigureAwait(false);

@@ -16,7 +16,7 @@ internal sealed class ReportCommand : ICommand
         var name = await context.ValueAsync(new FilePrompt(Wording.Get("Report.EnterFileName"), new FileRequest("report", true, ".html") { Suggested = Path.GetFullPath(JobReportPage.PathOf(drawing.FileName)) }) { Default = usual }).ConfigureAwait(false);
         var path = name == usual ? JobReportPage.PathOf(drawing.FileName) : context.ResolveOutputPath(name);
         if (name != usual || !context.IsScripted) await ReplacePrompt.ConfirmAsync(context, path, name).ConfigureAwait(false);
-        var request = new JobReportRequest(drawing, settings, context.Derivation.Strategy, context.Time.GetUtcNow()) { Families = context.Families, Address = context.Machine.Connection.Line, Spell = SettingWording.AtCommandLine };
+        var request = new JobReportRequest(drawing, settings, context.Derivation.Strategy, context.Time.GetUtcNow()) { Families = context.Families, Address = context.Machine.Connection.Line, Spell = SettingWording.AtCommandLine, Plate = context.Plates.Of(context.Document.Current) };
         await JobReportFile.WriteAsync(context, request.WithRunOf(context.History.Refresh()), path, cancellation).ConfigureAwait(false);
     }
 }

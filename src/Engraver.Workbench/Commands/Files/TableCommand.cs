@@ -19,7 +19,7 @@ internal sealed class TableCommand : ICommand
         var order = await context.ChoiceAsync(Wording.Get("Table.EnterRowOrder"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
         var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.LastValue("TABLE", "Text")).ConfigureAwait(false));
         context.Remember("TABLE", format);
-        var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings), []) : JobPreparation.CutTableOf(drawing, settings);
+        var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings, context.PlateValues), []) : JobPreparation.CutTableOf(drawing, settings, context.PlateValues);
         FindingMessages.Write(context, drawing.FileName, findings, Severity.Warning);
         await ResultFile.WriteAsync(context, "table", format == "Text" ? ".txt" : "." + format.ToLowerInvariant(), output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
     }

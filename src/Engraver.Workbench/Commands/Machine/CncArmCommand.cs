@@ -22,6 +22,7 @@ internal sealed class CncArmCommand : ICommand
             return;
         }
 
+        if (mode is { DryRun: false, RunsTrajectories: false }) await PlateStart.DecideAsync(context).ConfigureAwait(false);
         var job = mode.RunsTrajectories ? JobStart.PrepareTrajectories(context, mode.Strategy) : await JobAsync(context, mode.Strategy, cancellation).ConfigureAwait(false);
         JobStart.WritePart(context, job, mode.Strategy);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
@@ -63,8 +64,9 @@ internal sealed class CncArmCommand : ICommand
     /// <summary>The job that was derived already when it is of the same strategy; otherwise one that is prepared on another thread.</summary>
     private static async Task<PreparedJob> JobAsync(CommandContext context, ExecutionStrategy strategy, CancellationToken cancellation)
     {
+        var plate = PlateStart.Take(context);
         if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Strategy == strategy && ReferenceEquals(derived.Source, context.Drawing)) return derived;
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, strategy.Style, cancellation), cancellation).ConfigureAwait(false);
+        return await Task.Run(() => PlateJob.Prepare(drawing, settings, strategy.Style, plate, cancellation), cancellation).ConfigureAwait(false);
     }
 }

@@ -4,6 +4,7 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.Commands.Machine;
 
@@ -73,15 +74,19 @@ internal sealed class CncResumeCommand : ICommand
         if (JournalSettings.ResumeRefusal(found, job) is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
         if (found.IsUnsealed) context.WriteMessage(PreparationRules.JournalUnsealed.At(default, journal).Message, MessageKind.Warning);
         if (found.Strategy is { } known) context.Remember("CNCARM", known.Keyword);
-        Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Strategy, context.Drawing, context.Document.Current.Settings));
+        Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Strategy, context.Drawing, context.Document.Current.Settings) { Plate = job.Plate });
     }
 
     private static async Task<(PreparedJob Job, MotionProgram Program, ResumePosition Found)> FindAsync(CommandContext context, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
     {
-        var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
+        var job = await JobStart.PrepareAsync(context, strategy, PlateOf(context, journal)).ConfigureAwait(false);
         var program = context.Machine.Connection.FitToLink(job.Motion.Program!, strategy, job.Drawing).Program;
         return (job, program, await context.Machine.Runs.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false));
     }
+
+    /// <summary>The plate of the interrupted run; the next one where its journal has none, which is then a difference.</summary>
+    private static Plate? PlateOf(CommandContext context, string journal) =>
+        context.Plates.StateOf(context.Document.Current).Fields is null ? null : JournalPlate.Read(journal) ?? PlateStart.Take(context);
 
     private static void Choose(CommandContext context, MotionProgram program, JobPart part)
     {

@@ -37,6 +37,7 @@ internal sealed class CncRunCommand : ICommand
             else if (driver.Strategies.FirstOrDefault(one => one.Keyword == answer) is { } chosen) strategy = chosen;
             else
             {
+                if (!dryRun && !runsTrajectories && await PlateStart.DecideAsync(context).ConfigureAwait(false)) job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
                 await RunAsync(context, job, strategy, dryRun, cancellation).ConfigureAwait(false);
                 return;
             }

@@ -8,6 +8,7 @@ using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
@@ -17,13 +18,21 @@ internal static class JobStart
 {
     /// <summary>The job with a motion program; the operator must confirm if the drawing has errors.</summary>
     /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
-    public static Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy) => PrepareAsync(context, strategy, runsTrajectories: false);
+    public static Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy) => PrepareAsync(context, strategy, PlateStart.Take(context));
 
     /// <summary>The same, of the drawing or of the trajectories of the document.</summary>
     /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
-    public static async Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy, bool runsTrajectories)
+    public static Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy, bool runsTrajectories) =>
+        runsTrajectories ? CheckAsync(context, PrepareTrajectories(context, strategy)) : PrepareAsync(context, strategy);
+
+    /// <summary>The same, of a plate of the drawing.</summary>
+    /// <param name="plate">Null for a drawing without plates.</param>
+    /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
+    public static Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy, Plate? plate) =>
+        CheckAsync(context, PlateJob.Prepare(context.Drawing, context.Document.Current.Settings, strategy.Style, plate));
+
+    private static async Task<PreparedJob> CheckAsync(CommandContext context, PreparedJob job)
     {
-        var job = runsTrajectories ? PrepareTrajectories(context, strategy) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, strategy.Style);
         FindingMessages.Write(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.NoProgramReason}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
@@ -57,14 +66,16 @@ internal static class JobStart
     /// <exception cref="ControllerException">The link could not be established.</exception>
     public static async Task RunAsync(CommandContext context, PreparedJob job, ArmingChecklist? checks, Func<Func<MachineRunOptions, MachineRunOptions>, Task<MachineRunReport>> run, bool simulated)
     {
-        var (begun, taken, open) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(PendingRun));
+        var (begun, taken, open, ended) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(PendingRun), default(MachineRunReport));
+        using var turn = simulated ? null : PlateStart.Turn(context, job);
         try
         {
             var report = await run(options =>
             {
                 open = context.BeginRun(HistoryEntry.OfStarted(job, options, begun, simulated));
-                return taken = options;
+                return taken = turn is null || options.DryRun ? options : options with { Starting = stop => turn.StartAsync(job.Drawing.FileName, options.JournalPath, stop) };
             }).ConfigureAwait(false);
+            ended = report;
             open?.End(HistoryEntry.OfRun(job, taken!, report, begun, simulated, checks));
             ReportResult(context, job, report);
         }
@@ -80,6 +91,7 @@ internal static class JobStart
         }
         finally
         {
+            if (turn is not null && taken is { DryRun: false }) await PlateStart.EndAsync(context, turn, job, ended).ConfigureAwait(false);
             open?.Dispose();
         }
     }
@@ -98,6 +110,12 @@ internal static class JobStart
         {
             FindingMessages.Write(context, job.Drawing.FileName, [unplaced], Severity.Error);
             throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.WorkOriginUnknown"));
+        }
+
+        if (report.StartRefusal is { } unstarted)
+        {
+            FindingMessages.Write(context, job.Drawing.FileName, [unstarted], Severity.Error);
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotStarted"));
         }
 
         context.WriteMessage(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);

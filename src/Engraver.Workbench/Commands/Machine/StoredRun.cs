@@ -34,7 +34,7 @@ internal static class StoredRun
     /// <exception cref="CommandException">It cannot be read, is not a trace, or belongs to another drawing.</exception>
     public static RecordedRun Read(CommandContext context, string file)
     {
-        var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, context.Driver.DefaultStrategy.Style);
+        var job = PlateJob.Prepare(context.Drawing, context.Document.Current.Settings, context.Driver.DefaultStrategy.Style, JournalPlate.Read(TraceFile.JournalOf(file)));
         var trace = TraceOf(file);
         if (!trace.CanBeOf(DrawnFingerprint.Of(job.Analysed.ToSegments()))) throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.OtherDrawing", file, Path.GetFileName(context.Drawing.FileName)));
         return new RecordedRun(job, trace);

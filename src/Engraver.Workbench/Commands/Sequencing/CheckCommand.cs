@@ -13,7 +13,7 @@ internal sealed class CheckCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var job = JobPreparation.PrepareUnlessCancelled(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation, context.PlateValues);
         FindingMessages.Write(context, drawing.FileName, job.Diagnostics, Severity.Info);
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);

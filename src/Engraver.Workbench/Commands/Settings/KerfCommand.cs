@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -28,13 +29,13 @@ internal sealed class KerfCommand : ICommand
         {
             var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Format(shown) : null, Min = setting.Min, Max = setting.Max };
             if (context.Document.Current.Drawing is not { } drawing) return await context.ValueAsync(prompt).ConfigureAwait(false);
-            var answer = await context.AskAsync(prompt with { Options = Keyword.List("Preview"), Preview = shown > 0.0 ? PathOf(drawing, context.Document.Current.Settings with { Kerf = side, ToolDiameterMm = shown }) : null }).ConfigureAwait(false);
+            var answer = await context.AskAsync(prompt with { Options = Keyword.List("Preview"), Preview = shown > 0.0 ? PathOf(drawing, context.Document.Current.Settings with { Kerf = side, ToolDiameterMm = shown }, context.PlateValues) : null }).ConfigureAwait(false);
             if (answer is Answer<double>.Value { Result: var diameter }) return diameter;
             shown = await context.ValueAsync(prompt with { Instruction = Wording.Get("Kerf.PreviewDiameter") }).ConfigureAwait(false);
         }
     }
 
     /// <summary>The path of the tool's centre, drawing units.</summary>
-    private static GhostFunction PathOf(Drawing drawing, DrawingSettings settings) =>
-        _ => [.. JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table.ToSegments().Select(drawing.Scale.ToDrawing)];
+    private static GhostFunction PathOf(Drawing drawing, DrawingSettings settings, PlateValues values) =>
+        _ => [.. JobPreparation.To<CompensatedJob>(drawing, settings, values).Cut.Table.ToSegments().Select(drawing.Scale.ToDrawing)];
 }

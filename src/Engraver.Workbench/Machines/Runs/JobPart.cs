@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -10,4 +11,8 @@ namespace Engraver.Workbench.Machines.Runs;
 /// <param name="Strategy">The strategy with which it was started; null where that is not known.</param>
 /// <param name="Drawing">The drawing of the part.</param>
 /// <param name="Settings">The settings of the part.</param>
-public sealed record JobPart(ResumeRequest Request, JobPosition Shown, ExecutionStrategy? Strategy, Drawing Drawing, DrawingSettings Settings);
+public sealed record JobPart(ResumeRequest Request, JobPosition Shown, ExecutionStrategy? Strategy, Drawing Drawing, DrawingSettings Settings)
+{
+    /// <summary>The interrupted plate; null for a part that is not one of a plate.</summary>
+    public Plate? Plate { get; init; }
+}

@@ -12,6 +12,13 @@ public static class TraceFile
     /// <summary>Path of the file of a journal.</summary>
     public static string PathOf(string journal) => journal + FileExtension;
 
+    /// <summary>The journal of a trace; a journal itself.</summary>
+    public static string JournalOf(string file)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return file.EndsWith(FileExtension, StringComparison.Ordinal) ? file[..^FileExtension.Length] : file;
+    }
+
     /// <summary>Saves a trace beside its journal, unless the journal is a stream.</summary>
     /// <returns>Why it could not be written; null on success and for a stream.</returns>
     internal static string? Save(RunTrace trace, string journal)

@@ -62,8 +62,8 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var plate = (request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) : null;
-        var job = plate is null ? JobPreparation.PrepareUnlessCancelled(request.Drawing, request.Settings, request.Strategy.Style, cancellation) : PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate);
+        var plate = ((request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) : null) ?? request.Plate;
+        var job = PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate, cancellation);
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
         var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Strategy);

@@ -4,6 +4,7 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports.Pages;
@@ -25,6 +26,9 @@ public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings,
 
     /// <summary>Its journal, beside which the trace is saved.</summary>
     public string? Journal { get; init; }
+
+    /// <summary>The plate, unless the journal has one; null for none.</summary>
+    public Plate? Plate { get; init; }
 
     /// <summary>Names settings in findings for the front end (<see cref="SettingWording"/>).</summary>
     public Func<Diagnostic, Diagnostic> Spell { get; init; } = SettingWording.OnConsole;

@@ -1,14 +1,13 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.SerialTexts;
 
-namespace Engraver.Cli.Verbs.Plates;
+namespace Engraver.Workbench.Machines.Runs;
 
 /// <summary>The run of one plate of a series: its numbers are spent right before the job takes the machine, and confirmed when it is complete.</summary>
 /// <param name="Book">Null: nothing is spent, as for a dry run.</param>
 /// <param name="IsResumed">The numbers are those of an interrupted run.</param>
-internal sealed record PlateTurn(Plate Plate, IReadOnlyList<CounterDesign> Designs, CounterBook? Book, CounterChoice Choice, bool IsResumed) : IDisposable
+public sealed record PlateTurn(Plate Plate, IReadOnlyList<CounterDesign> Designs, CounterBook? Book, CounterChoice Choice, bool IsResumed) : IDisposable
 {
     private SpentPlate? _spent;
 
