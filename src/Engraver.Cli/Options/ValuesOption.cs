@@ -9,17 +9,22 @@ internal static class ValuesOption
 {
     public static Option<string?> New() => new("--values") { HelpName = "FILE.json", Description = Wording.Get("Series.Values") };
 
-    /// <exception cref="UsageException">The file cannot be read, or is not a record of values.</exception>
+    /// <exception cref="UsageException">The file cannot be read, or is not a record of values, or has none.</exception>
     public static PlateValues Read(string? file)
     {
         if (file is null) return PlateValues.None;
         try
         {
-            return PlateValues.FromJson(File.ReadAllText(file));
+            var values = PlateValues.FromJson(File.ReadAllText(file));
+            return values.IsNone ? throw new UsageException(Wording.Get("Series.NotValues", file)) : values;
         }
-        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or FormatException)
+        catch (FormatException other)
         {
-            throw new UsageException(Wording.Get("Series.InvalidValues", file, unusable is FormatException ? unusable.Message : SystemErrorText.FromException(unusable)), unusable);
+            throw new UsageException(Wording.Get("Series.NotValues", file), other);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException(Wording.Get("Series.InvalidValues", file, SystemErrorText.FromException(unreadable)), unreadable);
         }
     }
 }

@@ -34,7 +34,7 @@ internal static class PlanVerb
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Strategy(parsed, mode, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var (series, missing) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
+            var (series, missing, reported) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
             var job = series is null ? JobPreparation.Prepare(read, settings, strategy.Style) : PlateJob.Prepare(read, settings, strategy.Style, series.Plates[0], stop);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
             var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
@@ -43,26 +43,29 @@ internal static class PlanVerb
             else if (parsed.GetValue(sheet) && times is { } known) JobSheet.Of(job, known, rates).Write(host.Out);
             else PlanReport.Text(host.Out, plan);
             if (!parsed.GetValue(json)) series?.Write(host.Out);
-            return Math.Max(missing, host.Report(parsed, read.FileName, [.. job.Diagnostics.Where(found => series?.Findings.Any(known => known.Message == found.Message) != true), .. findings]));
+            return Math.Max(missing, host.Report(parsed, read.FileName, [.. job.Diagnostics.Where(found => !reported.Contains(found.Message) && (missing == ExitCode.Done || series is not null || found.Rule != SerialRules.NoValue)), .. findings]));
         });
         return command;
     }
 
-    /// <returns>Null for a drawing without fields, and where the values are not complete; the exit code for the findings about them.</returns>
-    private static async Task<(SeriesPlan? Series, int Code)> SeriesAsync(VerbHost host, ParseResult parsed, SeriesOptions options, Drawing drawing, DrawingSettings settings, CancellationToken stop)
+    /// <returns>Null for a drawing without fields, and where the values cannot be read: then that no field has a value needs no finding. The exit code for the
+    /// findings about them, and the messages of those that the job of a plate has too.</returns>
+    private static async Task<(SeriesPlan? Series, int Code, IReadOnlySet<string> Reported)> SeriesAsync(VerbHost host, ParseResult parsed, SeriesOptions options, Drawing drawing, DrawingSettings settings, CancellationToken stop)
     {
         var fields = JobPreparation.FieldsOf(drawing, settings);
-        if (!fields.Any && options.Requested(parsed) is null) return (null, ExitCode.Done);
+        if (!fields.Any && options.Requested(parsed) is null) return (null, ExitCode.Done, new HashSet<string>());
         try
         {
-            var (series, findings) = await SeriesPlan.ReadAsync(host, parsed, options, fields, isDryRun: true, null, stop).ConfigureAwait(false);
+            var (series, findings) = await SeriesPlan.ReadAsync(parsed, options, drawing, fields, isDryRun: true, null, stop).ConfigureAwait(false);
             var code = host.Report(parsed, options.CsvFile(parsed) ?? drawing.FileName, findings);
-            if (series is null) return (null, code);
-            return (series, Math.Max(code, host.Report(parsed, drawing.FileName, series.Findings)));
+            if (series is null) return (null, code, new HashSet<string>());
+            code = Math.Max(code, host.Report(parsed, drawing.FileName, series.Findings));
+            var letters = await series.ReportLettersAsync(host, parsed, drawing, settings, stop).ConfigureAwait(false);
+            return (series, letters.Count > 0 ? Math.Max(code, ExitCode.DrawingError) : code, series.Findings.Concat(letters).Select(finding => finding.Message).ToHashSet());
         }
         catch (CounterException refused) when (refused.Finding is { } finding)
         {
-            return (null, host.Report(parsed, drawing.FileName, [finding]));
+            return (null, host.Report(parsed, drawing.FileName, [finding]), new HashSet<string>());
         }
     }
 

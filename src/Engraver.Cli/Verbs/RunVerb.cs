@@ -127,15 +127,17 @@ internal sealed class RunVerb
     /// <summary>Runs the plates one after the other; ends at the first that is not complete.</summary>
     private async Task<int> RunSeriesAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, PlateFields fields, CancellationToken stop)
     {
+        string? remaining = null;
         try
         {
-            var (plan, findings) = await SeriesPlan.ReadAsync(_host, parsed, _series, fields, parsed.GetValue(_dryRun), parsed.GetValue(_resume), stop).ConfigureAwait(false);
+            var (plan, findings) = await SeriesPlan.ReadAsync(parsed, _series, drawing, fields, parsed.GetValue(_dryRun), parsed.GetValue(_resume), stop).ConfigureAwait(false);
             var code = _host.Report(parsed, _series.CsvFile(parsed) ?? drawing.FileName, findings);
             if (plan is null || code != ExitCode.Done) return ReportNotStarted(null, Wording.Get("Series.NotReady"));
             RejectForSeveral(parsed, plan);
             code = _host.Report(parsed, drawing.FileName, plan.Findings);
             if (code != ExitCode.Done) return ReportNotStarted(null, Wording.Get("Series.NotReady"));
-            if (!_host.Quiet(parsed) && plan.Count > 1) plan.Write(_host.Error);
+            if (!_host.Quiet(parsed) && (plan.Count > 1 || plan.First > 0)) plan.Write(_host.Error);
+            if (!await LettersAreGoodAsync(parsed, drawing, settings, plan, stop).ConfigureAwait(false)) return ReportNotStarted(null, Wording.Get("Run.DrawingHasErrors"));
             _isSeries = plan.Count > 1;
             for (var index = plan.First; index < plan.End; index++)
             {
@@ -145,6 +147,7 @@ internal sealed class RunVerb
                     return ExitCode.StoppedByOperator;
                 }
 
+                remaining = index > plan.First ? plan.InterruptedText(index, null) : null;
                 using var turn = plan.Turn(index);
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
                 await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
@@ -160,9 +163,19 @@ internal sealed class RunVerb
         {
             _host.Report(parsed, drawing.FileName, [finding]);
             if (finding.Rule == SerialRules.PlateNotFinished) await _host.Error.WriteLineAsync(Wording.Get("Series.Decide")).ConfigureAwait(false);
+            if (remaining is not null) await _host.Error.WriteLineAsync(remaining).ConfigureAwait(false);
             ReportNotStarted(null, Wording.Get("Series.NotReady"));
             return ExitCode.Usage;
         }
+    }
+
+    /// <summary>Reports the errors in the letters of all plates before the first one is engraved.</summary>
+    /// <returns>False if there are errors that the operator did not accept.</returns>
+    private async Task<bool> LettersAreGoodAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, SeriesPlan plan, CancellationToken stop)
+    {
+        var errors = await plan.ReportLettersAsync(_host, parsed, drawing, settings, stop).ConfigureAwait(false);
+        foreach (var error in errors) _reported.Add((error.Source, error.Message));
+        return errors.Count == 0 || parsed.GetValue(_acceptErrors);
     }
 
     /// <exception cref="UsageException">An option that means one run only.</exception>

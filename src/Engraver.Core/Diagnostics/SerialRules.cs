@@ -13,6 +13,8 @@ public static class SerialRules
 
     public static readonly DiagnosticRule CsvUnused = new("SER0005", Severity.Error, "columns");
 
+    public static readonly DiagnosticRule CsvColumnsUnused = new("SER0006", Severity.Warning, "columns");
+
     public static readonly DiagnosticRule CsvUnreadable = new("SER0010", Severity.Error, "reason");
 
     public static readonly DiagnosticRule CsvWestern = new("SER0011", Severity.Warning);
@@ -47,6 +49,8 @@ public static class SerialRules
 
     public static readonly DiagnosticRule CounterExhausted = new("SER0027", Severity.Error, "counter", "number");
 
+    public static readonly DiagnosticRule RowNotInSeries = new("SER0028", Severity.Error, "values", "journal");
+
     /// <summary>Every rule of this table, in order of id.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [InvalidField, NoValue, NotAField, TwoDesigns, CsvUnused, CsvUnreadable, CsvWestern, CsvColumnTwice, CsvNoColumnName, CsvRowLength, CsvEmptyLine, CsvQuote, CsvEmpty, CsvNoSuchRow, CountersUnreadable, CountersNotWritten, PlateNotFinished, CounterMoved, NumberNotOpen, CounterSetBack, NotConfirmed, CounterExhausted];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [InvalidField, NoValue, NotAField, TwoDesigns, CsvUnused, CsvColumnsUnused, CsvUnreadable, CsvWestern, CsvColumnTwice, CsvNoColumnName, CsvRowLength, CsvEmptyLine, CsvQuote, CsvEmpty, CsvNoSuchRow, CountersUnreadable, CountersNotWritten, PlateNotFinished, CounterMoved, NumberNotOpen, CounterSetBack, NotConfirmed, CounterExhausted, RowNotInSeries];
 }

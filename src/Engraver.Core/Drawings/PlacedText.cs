@@ -1,3 +1,5 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
@@ -62,6 +64,9 @@ public sealed record PlacedText
     public ulong Handle { get; init; }
 
     public long SourceLine { get; init; }
+
+    /// <summary>Its place in the file.</summary>
+    public SourceRef Source => new(SourceLine, Handle == 0 ? null : Handle.ToString("X", CultureInfo.InvariantCulture));
 
     /// <summary>Invisible itself, or through its insert.</summary>
     public bool Hidden { get; init; }

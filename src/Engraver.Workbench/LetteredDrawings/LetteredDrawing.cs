@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
@@ -59,7 +58,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
 
     private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, double maxError, LetteringFindings findings)
     {
-        var source = SourceOf(text);
+        var source = text.Source;
         if (text.Written.DamagedGroup is not 0 and var group)
         {
             findings.AddDamaged(source, text.Content, group);
@@ -111,6 +110,4 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         Type = text.Type switch { "MTEXT" => CurveType.MText, "ATTRIB" => CurveType.Attribute, _ => CurveType.Text },
         Hidden = text.Hidden,
     };
-
-    private static SourceRef SourceOf(PlacedText text) => new(text.SourceLine, text.Handle == 0 ? null : text.Handle.ToString("X", CultureInfo.InvariantCulture));
 }

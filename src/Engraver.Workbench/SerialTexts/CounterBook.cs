@@ -40,6 +40,10 @@ public sealed class CounterBook
         return Forecast(_file.Read(), designs, choice, plates);
     }
 
+    /// <summary>Plates with one of the counters that are not finished, not left out, and not being engraved now; the oldest first.</summary>
+    /// <exception cref="CounterException">The file cannot be read, or is damaged.</exception>
+    public IReadOnlyList<StartedPlate> Unfinished(IReadOnlyList<CounterDesign> designs) => [.. Unfinished(_file.Read(), [.. designs.Select(one => one.Name)])];
+
     /// <summary>Sets the next number of a counter. Its unfinished plates are left out.</summary>
     /// <returns>A warning if the number is below the next one: numbers will be engraved twice.</returns>
     /// <exception cref="CounterException">The file cannot be read or written, or is damaged.</exception>

@@ -1,5 +1,4 @@
 using System.Collections.Immutable;
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 
@@ -47,18 +46,26 @@ public sealed class PlateFields
         return table.Columns.Any(IsUsed);
     }
 
-    /// <summary>The values of a row that the texts use; a record of the plate need not hold the others.</summary>
+    /// <summary>The columns of a CSV file from which no text is filled.</summary>
+    public IReadOnlyList<string> UnusedColumnsOf(CsvTable table)
+    {
+        ArgumentNullException.ThrowIfNull(table);
+        return [.. table.Columns.Where(column => !IsUsed(column))];
+    }
+
+    /// <summary>The values of a row that the texts use; a record of the plate need not hold the others. A row without a column that a field names is returned
+    /// whole: its plate cannot be engraved, and the finding about the field lists the columns.</summary>
     public CsvRow Used(CsvRow row)
     {
         ArgumentNullException.ThrowIfNull(row);
-        return row with { Columns = [.. row.Columns.Where(one => IsUsed(one.Column))] };
+        return _columns.Any(column => row.Find(column) is null) ? row : row with { Columns = [.. row.Columns.Where(one => IsUsed(one.Column))] };
     }
 
     /// <summary>Fields that have no value on a plate, and brackets that are not fields, each with its place in the drawing.</summary>
     public IReadOnlyList<Diagnostic> Check(PlateValues values)
     {
         ArgumentNullException.ThrowIfNull(values);
-        return [.. _findings, .. _texts.SelectMany(text => values.ProblemsIn(text.Written.Raw, text.Written.Tag).Select(problem => problem.At(SourceOf(text))))];
+        return [.. _findings, .. _texts.SelectMany(text => values.ProblemsIn(text.Written.Raw, text.Written.Tag).Select(problem => problem.At(text.Source)))];
     }
 
     /// <summary>The values of a plate, without those that the texts do not use.</summary>
@@ -88,13 +95,11 @@ public sealed class PlateFields
     private void Add(SerialField.Counter counter, PlacedText text)
     {
         var (start, step) = _counters.GetValueOrDefault(counter.Name);
-        if (Differs(start, counter.Start) || Differs(step, counter.Increment)) _findings.Add(SerialRules.TwoDesigns.At(SourceOf(text), counter.Name, counter.Written));
+        if (Differs(start, counter.Start) || Differs(step, counter.Increment)) _findings.Add(SerialRules.TwoDesigns.At(text.Source, counter.Name, counter.Written));
         _counters[counter.Name] = (start ?? counter.Start, step ?? counter.Increment);
     }
 
     private static bool Differs(long? one, long? other) => one is { } first && other is { } second && first != second;
 
     private bool IsUsed(string column) => _columns.Contains(column) || _tags.Contains(column);
-
-    private static SourceRef SourceOf(PlacedText text) => new(text.SourceLine, text.Handle == 0 ? null : text.Handle.ToString("X", CultureInfo.InvariantCulture));
 }

@@ -8,6 +8,9 @@ namespace Engraver.Workbench.SerialTexts;
 /// <summary>What the fields in the texts of a drawing stand for on one plate (docs/serial-text.md).</summary>
 public sealed record PlateValues
 {
+    /// <summary>Stands before the number of the row in <see cref="ToString"/>.</summary>
+    internal const string RowWord = "csv row ";
+
     /// <summary>No values: strings remain as they are.</summary>
     public static PlateValues None { get; } = new();
 
@@ -79,7 +82,7 @@ public sealed record PlateValues
         List<string> parts = [.. Counters.Select(one => string.Create(CultureInfo.InvariantCulture, $"{one.Key}={one.Value}"))];
         if (Date is { } date) parts.Add(string.Create(CultureInfo.InvariantCulture, $"date={date:yyyy-MM-ddTHH:mm:sszzz}"));
         if (Copy is { } copy) parts.Add(string.Create(CultureInfo.InvariantCulture, $"copy={copy}"));
-        if (Row is { } row) parts.Add(string.Create(CultureInfo.InvariantCulture, $"csv row {row.Number}: {string.Join(", ", row.Columns.Select(column => $"{column.Column}={Quoted(column.Value)}"))}").TrimEnd(' ', ':'));
+        if (Row is { } row) parts.Add(string.Create(CultureInfo.InvariantCulture, $"{RowWord}{row.Number}: {string.Join(", ", row.Columns.Select(column => $"{column.Column}={Quoted(column.Value)}"))}").TrimEnd(' ', ':'));
         return string.Join(", ", parts);
     }
 

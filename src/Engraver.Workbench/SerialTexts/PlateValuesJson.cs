@@ -3,7 +3,8 @@ using System.Text.Json.Serialization;
 
 namespace Engraver.Workbench.SerialTexts;
 
-/// <summary><see cref="PlateValues"/> as JSON; members without a value are left out.</summary>
+/// <summary><see cref="PlateValues"/> as JSON; members without a value are left out, and an object with other members is refused.</summary>
+[JsonUnmappedMemberHandling(JsonUnmappedMemberHandling.Disallow)]
 public sealed record PlateValuesJson
 {
     public IReadOnlyDictionary<string, long>? Counters { get; init; }

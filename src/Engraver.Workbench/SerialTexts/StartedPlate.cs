@@ -23,5 +23,18 @@ public sealed record StartedPlate
 
     public required DateTimeOffset Date { get; init; }
 
+    /// <summary>Whether it is of this drawing.</summary>
+    public bool IsOf(string drawing) => Drawing == Path.GetFullPath(drawing);
+
+    /// <summary>Whether it has a row of a CSV file.</summary>
+    internal bool HasAnyRow => Values.Contains(PlateValues.RowWord, StringComparison.Ordinal);
+
+    /// <summary>Whether its values end with this row (<see cref="PlateValues.ToString"/>): number and values are the same.</summary>
+    internal bool HasRow(CsvRow row)
+    {
+        var text = new PlateValues { Row = row }.ToString();
+        return Values == text || Values.EndsWith(", " + text, StringComparison.Ordinal);
+    }
+
     internal bool Has(string counter, long number) => Numbers.Any(one => one.Key.Equals(counter, StringComparison.OrdinalIgnoreCase) && one.Value == number);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Engraver.Simulator;
 using Engraver.TestKit;
 
@@ -122,6 +123,55 @@ public sealed class SeriesRunTests : IDisposable
         Assert.Equal((number + 6, choice == "next" ? 1 : 0), await CounterAsync(counter));
     }
 
+    [Theory]
+    [InlineData("again", 9)]
+    [InlineData("next", 11)]
+    public async Task The_same_command_continues_with_the_row_of_the_unfinished_plate(string choice, int number)
+    {
+        var counter = "same" + choice;
+        await InPlateThreeAsync(stop => stop.Cancel(), Series(counter));
+        Assert.Equal((11, 1), await CounterAsync(counter));
+
+        var planned = await CliRun.RunAsync("plan", Drawing(counter), "--cut", "text", "--csv", Csv(), "--counter", choice);
+        Assert.Contains($"Plate 3 of 5: {counter}={number}, csv row 3: NAME=Cyd", planned.Out, StringComparison.Ordinal);
+        var run = await CliRun.Typing("\n\n", [.. Series(counter), "--counter", choice]);
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        Assert.Equal([$"{counter}={number}, csv row 3: NAME=Cyd", $"{counter}={number + 2}, csv row 4: NAME=Dan", $"{counter}={number + 4}, csv row 5: NAME=Eve"], Plates(run).Select(plate => plate.GetProperty("text").GetString()));
+        Assert.Contains("The series continues with plate 3 of 5", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_series_without_the_row_of_the_unfinished_plate_is_refused()
+    {
+        await InPlateThreeAsync(stop => stop.Cancel(), Series("norow"));
+        var csv = _folder.WithFile("other.csv", Names.Replace("Cyd", "Cyril", StringComparison.Ordinal));
+        string[] changed = [.. Series("norow").Select(word => word == Csv() ? csv : word)];
+        foreach (var args in (string[][])[[.. Series("norow"), "--rows", "4-", "--counter", "again"], [.. changed, "--counter", "again"], [.. changed, "--counter", "next"]])
+        {
+            var refused = await CliRun.RunAsync(args);
+            Assert.Equal((ExitCode.Usage, "refused"), (refused.ExitCode, Outcome(refused)));
+            Assert.Contains("SER0028", refused.Error, StringComparison.Ordinal);
+            Assert.Equal((11, 1), await CounterAsync("norow"));
+        }
+
+        var selected = await CliRun.Typing("\n", [.. Series("norow"), "--rows", "4-", "--counter", "next"]);
+        Assert.True(selected.ExitCode == ExitCode.Done, selected.Error);
+        Assert.Equal(["norow=11, csv row 4: NAME=Dan", "norow=13, csv row 5: NAME=Eve"], Plates(selected).Select(plate => plate.GetProperty("text").GetString()));
+    }
+
+    [Fact]
+    public async Task Copies_continue_with_the_unfinished_one_in_its_place()
+    {
+        string[] copies = ["run", _folder.WithFile("copies.dxf", Encoding.UTF8.GetString(Plate("[[copy]] [[n again-copies]]"))), "--cut", "text", "--copies", "4", "--connect", "sim:", "--json"];
+        await InPlateThreeAsync(stop => stop.Cancel(), copies);
+
+        var run = await CliRun.Typing("\n", [.. copies, "--counter", "again"]);
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        Assert.Equal(["again-copies=3, copy=3", "again-copies=4, copy=4"], Plates(run).Select(plate => plate.GetProperty("text").GetString()));
+    }
+
     [Fact]
     public async Task A_killed_program_leaves_its_plate_unfinished_and_the_plate_is_resumed()
     {
@@ -170,6 +220,52 @@ public sealed class SeriesRunTests : IDisposable
     }
 
     [Fact]
+    public async Task A_blank_is_continued_at_its_next_cell()
+    {
+        var run = await CliRun.Typing("\n", [.. Series("cells"), "--rows", "3-", "--grid", "3x1", "--pitch", "70,0", "--first-cell", "3"]);
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        Assert.Equal([140.0, 0.0, 70.0], Plates(run).Select(plate => plate.GetProperty("x").GetDouble()));
+        Assert.Contains("for plate 2 of 3", run.Error, StringComparison.Ordinal); // the only stop
+        Assert.DoesNotContain("for plate 3 of 3", run.Error, StringComparison.Ordinal);
+
+        var ended = await CliRun.RunAsync([.. Series("cells"), "--grid", "3x1", "--pitch", "70,0", "--first-cell", "2"]);
+        Assert.Equal(ExitCode.StoppedByOperator, ended.ExitCode);
+        Assert.Contains("--rows 3,4,5 --first-cell 1.", ended.Error, StringComparison.Ordinal);
+        var copies = await CliRun.RunAsync("plan", Drawing("cells"), "--cut", "text", "--csv", Csv(), "--rows", "1", "--grid", "2x2", "--pitch", "70,30", "--first-cell", "4", "--json");
+        Assert.Equal((70.0, 30.0), (Plates(copies)[0].GetProperty("x").GetDouble(), Plates(copies)[0].GetProperty("y").GetDouble()));
+    }
+
+    [Fact]
+    public async Task A_plate_that_cannot_start_is_not_placed_on_those_before_it()
+    {
+        var machine = _folder.WithFile("small.json", """{"travelX": {"min": 0, "max": 100}, "travelY": {"min": 0, "max": 100}}""");
+        var run = await CliRun.RunAsync([.. Series("beyond"), "--grid", "3x1", "--pitch", "70,0", "--machine", machine]);
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Equal(["complete", "refused"], Plates(run).Select(plate => plate.GetProperty("outcome").GetString()));
+        Assert.Contains("--rows 2,3,4,5 --first-cell 2.", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_missing_character_on_any_plate_prevents_the_first_one()
+    {
+        string[] series = [Drawing("glyph"), "--cut", "text", "--csv", _folder.WithFile("glyph.csv", "NAME\nAda\n\uE123\n"), "--json"];
+        var plan = await CliRun.RunAsync(["plan", .. series]);
+        Assert.Equal(ExitCode.DrawingError, plan.ExitCode);
+        Assert.Contains("TXT0005", plan.Error, StringComparison.Ordinal);
+        var refused = await CliRun.Typing("\n", ["run", .. series, "--connect", "sim:"]);
+        Assert.Equal((ExitCode.DrawingError, "refused"), (refused.ExitCode, Outcome(refused)));
+        Assert.Contains("Plate 2 of 2 (glyph=7", refused.Error, StringComparison.Ordinal);
+        Assert.Contains("TXT0005", refused.Error, StringComparison.Ordinal);
+        Assert.Equal((0, 0), await CounterAsync("glyph"));
+
+        var accepted = await CliRun.Typing("\n", ["run", .. series, "--connect", "sim:", "--accept-errors"]);
+        Assert.Equal((ExitCode.DrawingError, "complete"), (accepted.ExitCode, Outcome(accepted)));
+        Assert.Equal(2, Plates(accepted).Count);
+        Assert.Equal(accepted.Error.IndexOf("TXT0005", StringComparison.Ordinal), accepted.Error.LastIndexOf("TXT0005", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public async Task Plan_and_dry_run_show_the_plates_and_spend_nothing()
     {
         var plan = await CliRun.RunAsync("plan", Drawing("planned"), "--cut", "text", "--csv", Csv(), "--rows", "1,3", "--json");
@@ -215,7 +311,13 @@ public sealed class SeriesRunTests : IDisposable
         var certified = await CliRun.RunAsync(["certify", drawing, "--target", "gcode", "--json", .. with]);
         Assert.Equal("posted=5, csv row 2: NAME=Bob", JsonText.Of(certified).GetProperty("plate").GetString());
         Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["certify", drawing, "--target", "gcode", "--check", .. with])).ExitCode);
-        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("verify", program, "--against", drawing, "--values", drawing)).ExitCode);
+        foreach (var file in (string[])[drawing, _folder.WithFile("empty.json", "{}"), _folder.WithFile("plan.json", plan.Out), _folder.WithFile("plates.json", Plates(plan)[0].GetRawText())])
+        {
+            var refused = await CliRun.RunAsync("verify", program, "--against", drawing, "--values", file);
+            Assert.Equal(ExitCode.Usage, refused.ExitCode);
+            Assert.Contains("is not a values file", refused.Error, StringComparison.Ordinal);
+        }
+
         Assert.Equal((0, 0), await CounterAsync("posted"));
     }
 
@@ -237,6 +339,8 @@ public sealed class SeriesRunTests : IDisposable
     [InlineData("--grid and --pitch", "--grid", "2x2")]
     [InlineData("--grid", "--grid", "2", "--pitch", "1,1")]
     [InlineData("--pitch", "--grid", "2x2", "--pitch", "1")]
+    [InlineData("--first-cell requires --grid", "--copies", "2", "--first-cell", "2")]
+    [InlineData("no cell 5, only 1 to 4", "--grid", "2x2", "--pitch", "1,1", "--first-cell", "5")]
     [InlineData("--counter", "--counter", "n=-1")]
     [InlineData("--counter", "--counter", "again", "--counter", "next")]
     [InlineData("--copies", "--copies", "2", "--csv", "x.csv")]
@@ -265,6 +369,20 @@ public sealed class SeriesRunTests : IDisposable
 
         Assert.Equal((ExitCode.DrawingError, "refused"), (run.ExitCode, Outcome(run)));
         Assert.Contains(id, run.Error, StringComparison.Ordinal);
+        var plan = await CliRun.RunAsync(["plan", Drawing("bad"), "--cut", "text", "--csv", csv, .. rows is null ? Array.Empty<string>() : ["--rows", rows]]);
+        Assert.Equal(ExitCode.DrawingError, plan.ExitCode);
+        Assert.Equal([id], Regex.Matches(plan.Error, "SER00[0-9]+").Select(match => match.Value)); // and nothing that follows from it
+    }
+
+    [Fact]
+    public async Task Columns_that_are_missing_or_not_used_are_named()
+    {
+        var missing = await CliRun.RunAsync("plan", Drawing("columns"), "--cut", "text", "--csv", _folder.WithFile("city.csv", "CITY,ZIP\nRome,1\n"));
+        Assert.Contains("no column NAME; it has CITY, ZIP", missing.Error, StringComparison.Ordinal);
+        var more = await CliRun.RunAsync("plan", Drawing("columns"), "--cut", "text", "--csv", _folder.WithFile("more.csv", "CITY,NAME,ZIP\nRome,Ada,1\n"));
+        Assert.Equal(ExitCode.Done, more.ExitCode);
+        Assert.Contains("SER0006", more.Error, StringComparison.Ordinal);
+        Assert.Contains("CITY, ZIP", more.Error, StringComparison.Ordinal);
     }
 
     [Fact]
