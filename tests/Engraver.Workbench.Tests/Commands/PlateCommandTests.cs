@@ -7,7 +7,8 @@ using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Drawings whose texts have fields, at the command line: the next plate is shown, its numbers are spent by a start and confirmed by its end.</summary>
+/// <summary>Drawings whose texts have fields, at the command line: the next plate is shown, its numbers are spent by a start and confirmed by its
+/// end.</summary>
 public sealed class PlateCommandTests
 {
     private const string Numbered = "N [[n:000;start=41]]";
