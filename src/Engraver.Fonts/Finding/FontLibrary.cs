@@ -13,6 +13,9 @@ public sealed class FontLibrary(IReadOnlyList<string> folders, FontSubstitutes s
     private readonly FontFiles _files = new();
     private readonly ConcurrentDictionary<FontRequest, Lazy<FoundFont>> _found = new();
 
+    /// <summary>True for the name of a file that may be a font.</summary>
+    public static bool IsFontFile(string path) => FontFileName.HasKnownExtension(path);
+
     /// <summary>Never throws for a font that is missing or broken: returns a substitute and the reason. The second search for a font is cheap.</summary>
     public FoundFont Find(FontRequest request)
     {

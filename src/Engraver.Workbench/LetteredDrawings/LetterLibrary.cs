@@ -17,8 +17,8 @@ public static class LetterLibrary
     /// <summary>The program's folder for fonts of the user.</summary>
     public static string ProgramFolder => Path.Combine(AppContext.BaseDirectory, Folder);
 
-    /// <summary>The fonts for one preparation. Font files are read once for each folder of drawings, and again when a file was added to or removed from it, or
-    /// the substitution table was changed.</summary>
+    /// <summary>The fonts for one preparation. Font files are read once for each folder of drawings, and again when one of them or the substitution table was
+    /// changed, added or removed there.</summary>
     public static LetterFonts FontsOf(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -28,14 +28,21 @@ public static class LetterLibrary
         return new LetterFonts(drawing.Styles, known.Library, known.Substitutes.Faults);
     }
 
-    /// <summary>The last change of a folder and of its substitution table.</summary>
+    /// <summary>The last change of a folder, of a font file in it, or of its substitution table.</summary>
     private static DateTime ChangeOf(string folder)
     {
         if (folder.Length == 0 || !Directory.Exists(folder)) return default;
-        var table = Path.Combine(folder, FontSubstitutes.FileName);
-        var (list, content) = (Directory.GetLastWriteTimeUtc(folder), File.Exists(table) ? File.GetLastWriteTimeUtc(table) : default);
-        return list > content ? list : content;
+        try
+        {
+            return Directory.EnumerateFiles(folder).Where(IsOfFonts).Select(File.GetLastWriteTimeUtc).Append(Directory.GetLastWriteTimeUtc(folder)).Max();
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            return Directory.GetLastWriteTimeUtc(folder);
+        }
     }
+
+    private static bool IsOfFonts(string path) => FontLibrary.IsFontFile(path) || Path.GetFileName(path).Equals(FontSubstitutes.FileName, StringComparison.Ordinal);
 
     private sealed record Known((DateTime Beside, DateTime Program) Changed, FontLibrary Library, FontSubstitutes Substitutes)
     {
