@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 
@@ -36,7 +35,7 @@ internal static class InfoReport
 
     private static InfoJson.TextJson Text(PlacedText text, IReadOnlyList<Layer> layers) => new(
         text.Type, text.Content, text.Position.X, text.Position.Y, text.Height, text.Rotation.Degrees, text.WidthFactor, text.Mirrored, text.Column.ToString().ToLowerInvariant(), text.Row.ToString().ToLowerInvariant(),
-        text.Style, text.Font, layers[text.Layer].Name, text.Hidden, text.Handle == 0 ? null : text.Handle.ToString("X", CultureInfo.InvariantCulture), text.SourceLine);
+        text.Style, text.Font, layers[text.Layer].Name, text.Hidden, text.Source.Handle, text.SourceLine);
 
     private static IReadOnlyList<InfoJson.RefusedJson> Refused(IReadOnlyList<RefusedEntity> entities) => [.. entities.Select(InfoJson.RefusedJson.From)];
 

@@ -19,7 +19,7 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         var first = default(SourceRef?);
         foreach (var text in drawing.Texts)
         {
-            if (!text.Hidden && taken[text.Layer]) Add(text.Type, 1, new SourceRef(text.SourceLine, text.Handle == 0 ? null : text.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture)));
+            if (!text.Hidden && taken[text.Layer]) Add(text.Type, 1, text.Source);
         }
 
         foreach (var (type, layer, count, source) in drawing.Construction)

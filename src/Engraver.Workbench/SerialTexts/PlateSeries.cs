@@ -51,13 +51,6 @@ public sealed record PlateSeries(PlateFields Fields, IReadOnlyList<CsvRow?> Rows
     /// <param name="numbers">Its number of each counter.</param>
     public Plate At(int index, IReadOnlyDictionary<string, long> numbers, DateTimeOffset now) => new(index + 1, Fields.ValuesOf(Rows[index], numbers, now, index + 1), OffsetOf(index));
 
-    /// <summary>Every plate with the numbers of a forecast.</summary>
-    public IReadOnlyList<Plate> All(CounterForecast forecast, DateTimeOffset now)
-    {
-        ArgumentNullException.ThrowIfNull(forecast);
-        return [.. Enumerable.Range(0, Count).Select(index => At(index, forecast.Plates[index], now))];
-    }
-
     /// <summary>True if another blank must be placed before this plate.</summary>
     public bool StartsBlank(int index) => index > 0 && CellOf(index) == 0;
 

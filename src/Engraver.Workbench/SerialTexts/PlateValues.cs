@@ -8,7 +8,7 @@ namespace Engraver.Workbench.SerialTexts;
 /// <summary>What the fields in the texts of a drawing stand for on one plate (docs/serial-text.md).</summary>
 public sealed record PlateValues
 {
-    /// <summary>Precedes the number of the row in <see cref="ToString"/>.</summary>
+    /// <summary>The words before the number of the row in <see cref="ToString"/>.</summary>
     internal const string RowWord = "csv row ";
 
     /// <summary>No values: strings remain as they are.</summary>

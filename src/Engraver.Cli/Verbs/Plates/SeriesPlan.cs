@@ -20,8 +20,7 @@ internal sealed class SeriesPlan
     private readonly bool _isDryRun;
     private readonly IReadOnlyList<Plate> _plates;
 
-    /// <summary>The first plates, whose numbers are those of unfinished ones. A plate that another program leaves unfinished later needs its own
-    /// decision.</summary>
+    /// <summary>How many plates get the numbers of unfinished ones. A plate that another program leaves unfinished later needs its own decision.</summary>
     private readonly int _again;
 
     private SeriesPlan(SeriesOptions options, PlateSeries series, CounterBook book, CounterChoice choice, Plate? resumed, bool isDryRun, IReadOnlyList<Plate> plates, int again) =>
