@@ -69,7 +69,7 @@ public sealed class PlateCommandTests
     }
 
     [Theory]
-    [InlineData("Again", 41)]
+    [InlineData("Same", 41)]
     [InlineData("Next", 42)]
     public async Task After_a_plate_that_is_not_finished_a_start_asks_for_its_number(string answer, long number)
     {

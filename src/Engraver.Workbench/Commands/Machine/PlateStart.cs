@@ -29,9 +29,9 @@ internal static class PlateStart
     {
         if (context.Plates.Refresh(context.Document.Current).Refusal is not { } unfinished) return false;
         FindingMessages.Write(context, context.Drawing.FileName, [unfinished], Severity.Error);
-        var answer = await context.ChoiceAsync(Wording.Get("Plates.EnterDecision"), Keyword.List("Again", "Next", "Cancel"), "Cancel").ConfigureAwait(false);
+        var answer = await context.ChoiceAsync(Wording.Get("Plates.EnterDecision"), Keyword.List("Same", "Next", "Cancel"), "Cancel").ConfigureAwait(false);
         if (answer == "Cancel") throw new CommandException(CommandFailure.Refused, Wording.Get("Plates.NotDecided"));
-        context.Plates.Decide(answer == "Again" ? CounterChoice.Again : CounterChoice.Next, context.Document.Current);
+        context.Plates.Decide(answer == "Same" ? CounterChoice.Again : CounterChoice.Next, context.Document.Current);
         if (context.Plates.Of(context.Document.Current) is { } plate) context.WriteMessage(context.Plates.TextOf(plate));
         return true;
     }
