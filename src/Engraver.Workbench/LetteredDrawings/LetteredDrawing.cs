@@ -81,7 +81,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
 
         if (curves.IsTilted) findings.AddTilted(source);
         if (!curves.IsUnited) findings.AddNotUnited(source, text.Content);
-        if (MisplacementOf(text, fonts, curves, maxError) is { } misplaced) findings.AddMisplaced(source, text.Content, misplaced);
+        if (MisplacementOf(text, layout, fonts, curves, maxError) is { } misplaced) findings.AddMisplaced(source, text.Content, misplaced);
         return (layout, curves);
     }
 
@@ -93,12 +93,16 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         return !(area > Negligible * plane.XAxis.Length * plane.YAxis.Length) || area == 0.0;
     }
 
-    /// <summary>A text of several lines has no second calculation.</summary>
-    private static Misplacement? MisplacementOf(PlacedText text, LetterFonts fonts, LetterCurves curves, double maxError)
+    private static Misplacement? MisplacementOf(PlacedText text, TextLayout layout, LetterFonts fonts, LetterCurves curves, double maxError)
     {
-        if (text.Written.Paragraphs is not null) return null;
-        var style = fonts.StyleOf(text.Style);
-        return LetterCheck.Find(LetterPlaces.Of(text, style, fonts.Of(style)), curves, maxError);
+        if (text.Written.Paragraphs is null)
+        {
+            var style = fonts.StyleOf(text.Style);
+            return LetterCheck.Find(LetterPlaces.Of(text, style, fonts.Of(style)), curves, maxError);
+        }
+
+        var places = ParagraphPlaces.Of(text, layout);
+        return ParagraphPlaces.HasEveryLetter(text, layout) ? LetterCheck.Find(places, curves, maxError) : new Misplacement(double.PositiveInfinity, places.Origin);
     }
 
     private static DrawingEntity EntityOf(PlacedText text) => new()

@@ -17,7 +17,7 @@ internal sealed class LetterCheck
 
     private static readonly double[] s_fractions = [0.0, 0.3, 0.7, 1.0];
 
-    private readonly LetterPlaces _places;
+    private readonly ILetterPlaces _places;
     private readonly LetterCurves _curves;
     private readonly Vector3D _origin;
     private readonly double _allowed;
@@ -26,18 +26,17 @@ internal sealed class LetterCheck
     private int _next;
     private Misplacement? _worst;
 
-    private LetterCheck(LetterPlaces places, LetterCurves curves)
+    private LetterCheck(ILetterPlaces places, LetterCurves curves)
     {
         (_places, _curves, _isFound) = (places, curves, new bool[curves.Parts.Count]);
-        var (start, end, top) = (places.OnLine(0.0, 0.0), places.OnLine(places.Advance, 0.0), places.OnLine(0.0, places.Height));
-        _origin = start;
-        _allowed = (OfSize * Math.Max((end - start).Length, (top - start).Length)) + (OfCoordinates * places.LargestTerm);
+        _origin = places.Origin;
+        _allowed = (OfSize * places.Size) + (OfCoordinates * places.LargestTerm);
     }
 
     /// <param name="places">The second calculation for the same text.</param>
     /// <param name="maxError">Largest distance of the arcs of united outlines from the outlines.</param>
     /// <returns>Null if each curve is at its place and there is no other; otherwise the largest distance.</returns>
-    public static Misplacement? Find(LetterPlaces places, LetterCurves curves, double maxError)
+    public static Misplacement? Find(ILetterPlaces places, LetterCurves curves, double maxError)
     {
         ArgumentNullException.ThrowIfNull(places);
         ArgumentNullException.ThrowIfNull(curves);
@@ -47,7 +46,7 @@ internal sealed class LetterCheck
             foreach (var contour in letter.Curves.Contours) check.Compare(letter, contour);
         }
 
-        foreach (var (from, to, above) in places.Lines) check.Compare((_, fraction) => places.OnLine(from + (fraction * (to - from)), above), isOutline: false);
+        foreach (var line in places.LineCurves) check.Compare((_, fraction) => line(fraction), isOutline: false);
         check.CompareRest(maxError);
         return check._worst;
     }

@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Lettering;
 /// <summary>A second calculation of the places of the letters of a TEXT or an attribute, point by point with sines and cosines from the groups of its record
 /// (DXF reference, "TEXT"). It shares the choice of shapes with the layout that is cut, and for letters that join the
 /// shaper; no formula of placing.</summary>
-internal sealed class LetterPlaces
+internal sealed class LetterPlaces : ILetterPlaces
 {
     private readonly WrittenText _written;
     private readonly Placement _inserts;
@@ -49,6 +49,12 @@ internal sealed class LetterPlaces
 
     /// <summary>Height of capital letters, drawing units before the inserts.</summary>
     public double Height { get; }
+
+    public IEnumerable<Func<double, Vector3D>> LineCurves => Lines.Select<(double From, double To, double Above), Func<double, Vector3D>>(line => fraction => OnLine(line.From + (fraction * (line.To - line.From)), line.Above));
+
+    public Vector3D Origin => OnLine(0.0, 0.0);
+
+    public double Size => Math.Max((OnLine(Advance, 0.0) - Origin).Length, (OnLine(0.0, Height) - Origin).Length);
 
     /// <summary>Largest number that the calculation adds: its rounding is in every coordinate.</summary>
     public double LargestTerm => _inserts.Origin.Length + ((_inserts.XAxis.Length + _inserts.YAxis.Length + _inserts.ZAxis.Length) * (_at.Length + Advance + Height));
@@ -131,7 +137,7 @@ internal sealed class LetterPlaces
     }
 
     /// <summary>The arbitrary axis algorithm of the DXF reference.</summary>
-    private static (Vector3D X, Vector3D Y, Vector3D Z) AxesOf(Vector3D extrusion)
+    internal static (Vector3D X, Vector3D Y, Vector3D Z) AxesOf(Vector3D extrusion)
     {
         var length = Math.Sqrt((extrusion.X * extrusion.X) + (extrusion.Y * extrusion.Y) + (extrusion.Z * extrusion.Z));
         if (length == 0.0) return (new(1.0, 0.0, 0.0), new(0.0, 1.0, 0.0), new(0.0, 0.0, 1.0));
@@ -149,5 +155,11 @@ internal sealed class LetterPlaces
     {
         /// <summary>Of its origin above the baseline, as <see cref="Pen"/>; 0 for a letter that is not joined.</summary>
         public double Rise { get; init; }
+
+        /// <summary>Width as a multiple of the font's, where letters of a text differ.</summary>
+        public double Width { get; init; } = 1.0;
+
+        /// <summary>Displacement to the right for each unit above the letter's own origin, where letters of a text differ.</summary>
+        public double Slope { get; init; }
     }
 }

@@ -105,7 +105,8 @@ public static class LetterRun
     /// <summary>True if the tool would follow something.</summary>
     internal static bool HasLines(GlyphCurves curves) => curves.Contours.Any(contour => contour.Pieces.Any(piece => piece.End != contour.Start || (piece.Kind is GlyphPieceKind.Quadratic or GlyphPieceKind.Cubic && piece.Control1 != contour.Start)));
 
-    private static string Composed(string text)
+    /// <summary>In normal form C.</summary>
+    internal static string Composed(string text)
     {
         try
         {
@@ -164,5 +165,5 @@ public static class LetterRun
     internal static string Name(int codePoint) => string.Create(CultureInfo.InvariantCulture, $"{new Rune(codePoint)} (U+{codePoint:X4})");
 
     /// <summary>Controls of layout, which no font draws: joiners, marks of direction, soft hyphens, variation selectors.</summary>
-    private static bool IsWithoutShape(Rune rune) => Rune.GetUnicodeCategory(rune) is UnicodeCategory.Format or UnicodeCategory.Control ? rune.Value != '\t' : rune.Value is >= 0xFE00 and <= 0xFE0F;
+    internal static bool IsWithoutShape(Rune rune) => Rune.GetUnicodeCategory(rune) is UnicodeCategory.Format or UnicodeCategory.Control ? rune.Value != '\t' : rune.Value is >= 0xFE00 and <= 0xFE0F;
 }
