@@ -159,6 +159,7 @@ internal sealed class RunVerb
         catch (CounterException refused) when (refused.Finding is { } finding)
         {
             _host.Report(parsed, drawing.FileName, [finding]);
+            if (finding.Rule == SerialRules.PlateNotFinished) await _host.Error.WriteLineAsync(Wording.Get("Series.Decide")).ConfigureAwait(false);
             ReportNotStarted(null, Wording.Get("Series.NotReady"));
             return ExitCode.Usage;
         }

@@ -31,6 +31,8 @@ public static class LetteringRules
 
     public static readonly DiagnosticRule NotUnited = new("TXT0014", Severity.Warning, "text");
 
+    public static readonly DiagnosticRule Damaged = new("TXT0015", Severity.Error, "text", "group");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [FontMissing, FontMapped, FontBroken, GlyphSubstituted, GlyphMissing, GlyphBroken, UnknownCode, FormIgnored, Unshaped, NoSize, OutOfRange, Tilted, SubstitutesUnreadable, NotUnited];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [FontMissing, FontMapped, FontBroken, GlyphSubstituted, GlyphMissing, GlyphBroken, UnknownCode, FormIgnored, Unshaped, NoSize, OutOfRange, Tilted, SubstitutesUnreadable, NotUnited, Damaged];
 }

@@ -9,6 +9,9 @@ public sealed record WrittenText
     /// <summary>Group 1; of an MTEXT groups 3 and 1 joined. Bytes are decoded, codes such as %%c, \U+XXXX and \P are not resolved.</summary>
     public required string Raw { get; init; }
 
+    /// <summary>The first group whose number cannot be used, so that the place or form of the text is not known; 0 if all can.</summary>
+    public int DamagedGroup { get; init; }
+
     /// <summary>Groups 10, 20, 30: of an MTEXT in the system of its block, of other texts in the system of their extrusion.</summary>
     public Vector3D Insertion { get; init; }
 

@@ -27,7 +27,7 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
             if (taken[layer]) Add(type, count, source);
         }
 
-        return new NotCutFindings(counts, first ?? default);
+        return new NotCutFindings(counts, first ?? default) { CutsTexts = drawing.Cut.HasFlag(CutChoice.Text) };
 
         void Add(string type, int count, SourceRef source)
         {
@@ -35,6 +35,9 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
             if (first is not { } known || source.Line < known.Line) first = source;
         }
     }
+
+    /// <summary>Texts are cut: those that remain have a fault that is reported.</summary>
+    private bool CutsTexts { get; init; }
 
     /// <summary>For example "1 HATCH, 2 TEXT"; "" when there is none.</summary>
     public string Subject => string.Join(", ", Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}")));
@@ -49,7 +52,7 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         {
             var ways = Counts.Keys.ToLookup(WayOf);
             var parts = new List<string>();
-            if (ways.Contains("NotCutFindings.Texts")) parts.Add(Wording.Get("NotCutFindings.Texts"));
+            if (ways.Contains("NotCutFindings.Texts")) parts.Add(Wording.Get(CutsTexts ? "NotCutFindings.FaultyTexts" : "NotCutFindings.Texts"));
             if (ways.Contains("NotCutFindings.Points")) parts.Add(Wording.Get("NotCutFindings.Points"));
             if (ways.Contains("NotCutFindings.Outlines")) parts.Add(Wording.Get("NotCutFindings.Outlines", string.Join(", ", ways["NotCutFindings.Outlines"].Select(ChoiceOf).Distinct())));
             if (ways.Contains("NotCutFindings.Others")) parts.Add(Wording.Get("NotCutFindings.Others", string.Join(", ", ways["NotCutFindings.Others"])));

@@ -184,8 +184,16 @@ public sealed class MTextParser
         var isRelative = length > 0 && _raw[at + 1] is 'H' or 'W' or 'T' && end < _raw.Length && _raw[end] is 'x' or 'X';
         if (isRelative) end++;
         if (end < _raw.Length && _raw[end] == ';' && length > 0) end++;
-        if (MTextNumber.TryParse(_raw.AsSpan(start, length), out var value) && Formatted(_raw[at + 1], value, isRelative) is { } changed) _format = changed;
-        else _unknown.Add(_raw.AsSpan(at, end - at));
+        if (MTextNumber.TryParse(_raw.AsSpan(start, length), out var value) && Formatted(_raw[at + 1], value, isRelative) is { } changed)
+        {
+            _format = changed;
+            if (value < 0.0 && _raw[at + 1] is ('H' or 'W' or 'T')) _unknown.Add(_raw.AsSpan(at, end - at)); // its absolute value is used
+        }
+        else
+        {
+            _unknown.Add(_raw.AsSpan(at, end - at));
+        }
+
         return end;
     }
 

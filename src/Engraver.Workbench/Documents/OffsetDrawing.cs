@@ -25,10 +25,11 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static OffsetDrawing Create(Drawing drawing, DrawingSettings settings, double distance, OffsetSide side, OffsetOptions options)
     {
-        var chained = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off }).Chained;
+        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off });
+        var chained = job.Chained;
         var contours = ContoursOf(chained);
         var result = ContourOffset.Offset(contours, distance, side, options);
-        return new OffsetDrawing(result, [.. drawing.Diagnostics, .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
+        return new OffsetDrawing(result, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
     }
 
     /// <summary>The contours of a chained drawing, in drawing direction.</summary>

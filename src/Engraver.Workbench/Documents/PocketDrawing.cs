@@ -24,10 +24,11 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static PocketDrawing Create(Drawing drawing, DrawingSettings settings, PocketOptions options, PocketDepths depths)
     {
-        var chained = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off }).Chained;
+        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off });
+        var chained = job.Chained;
         var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), options);
         var cuts = PocketLevels.Of(result, options, depths);
-        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, options), .. Findings(cuts, depths)]);
+        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, options), .. Findings(cuts, depths)]);
     }
 
     /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>

@@ -24,6 +24,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(request);
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        if (CheckStage.TextFaultsOf(ordered) is { Count: > 0 } faults) return new TrajectoryDrawing([], [.. drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. faults]);
         (drawing, var sequence) = (ordered.Drawing, ordered.Sequence);
         var work = new TrajectoryCollector(drawing, settings, request);
         if (request.Offset is { } offset) work.AddOffsets(sequence, offset);

@@ -89,6 +89,8 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     {
         var made = new List<DocumentTrajectory>();
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        findings.AddRange([.. ordered.Findings, .. CheckStage.TextFaultsOf(ordered)]);
+        if (CheckStage.TextFaultsOf(ordered).Count > 0) return made;
         findings.AddRange(ordered.Cut.Kerf?.Diagnostics ?? []);
         foreach (var stroke in ordered.Sequence.Strokes)
         {

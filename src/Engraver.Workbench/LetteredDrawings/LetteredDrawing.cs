@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Workbench.Lettering;
 using Engraver.Workbench.Lettering.Paragraphs;
 
@@ -46,7 +47,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
             rest.Add(text);
         }
 
-        return new LetteredDrawing(added.ToDrawing() with { Texts = rest }, done, findings.Of(fonts)) { Fonts = CutFont.Of(done, fonts), Faults = findings.Faults };
+        return new LetteredDrawing(added.ToDrawing() with { Texts = rest, Cut = drawing.Cut | CutChoice.Text }, done, findings.Of(fonts)) { Fonts = CutFont.Of(done, fonts), Faults = findings.Faults };
     }
 
     /// <summary>The layout of a text of any type; null if it has no size.</summary>
@@ -59,7 +60,13 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
     private static (TextLayout Layout, LetterCurves Curves)? Letter(PlacedText text, LetterFonts fonts, double maxError, LetteringFindings findings)
     {
         var source = SourceOf(text);
-        if (LayoutOf(text, fonts) is not { } layout)
+        if (text.Written.DamagedGroup is not 0 and var group)
+        {
+            findings.AddDamaged(source, text.Content, group);
+            return null;
+        }
+
+        if (LayoutOf(text, fonts) is not { } layout || IsFlattened(layout.Plane))
         {
             findings.AddNoSize(source, text.Content);
             return null;
@@ -77,6 +84,14 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         if (!curves.IsUnited) findings.AddNotUnited(source, text.Content);
         if (MisplacementOf(text, fonts, curves, maxError) is { } misplaced) findings.AddMisplaced(source, text.Content, misplaced);
         return (layout, curves);
+    }
+
+    /// <summary>True for a plane that a block without width or height makes a line or a point of.</summary>
+    private static bool IsFlattened(in Placement plane)
+    {
+        const double Negligible = 1e-12;
+        var area = plane.XAxis.Cross(plane.YAxis).Length;
+        return !(area > Negligible * plane.XAxis.Length * plane.YAxis.Length) || area == 0.0;
     }
 
     /// <summary>A text of several lines has no second calculation.</summary>

@@ -32,6 +32,8 @@ internal sealed class LetteringFindings
 
     public void AddOutOfRange(SourceRef source, string content) => _lost.Add(LetteringRules.OutOfRange.At(source, Shown(content)));
 
+    public void AddDamaged(SourceRef source, string content, int group) => _lost.Add(LetteringRules.Damaged.At(source, Shown(content), FactText.Of(group)));
+
     public void AddNotUnited(SourceRef source, string content) => _lost.Add(LetteringRules.NotUnited.At(source, Shown(content)));
 
     public void AddTilted(SourceRef source) => _tilted = (_tilted?.First ?? source, (_tilted?.Count ?? 0) + 1);

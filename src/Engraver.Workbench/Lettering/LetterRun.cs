@@ -36,6 +36,7 @@ public static class LetterRun
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(font);
         ArgumentNullException.ThrowIfNull(notes);
+        if (Math.Abs(SignedSlant(format.Oblique)) > LargestSlant) notes.Add(LayoutNoteKind.FormIgnored, Wording.Get("LetterRun.Slant", LargestSlant));
         if (ShapedOf(text, font, format, origin, notes) is { } shaped) return shaped;
         var (glyphs, x, left) = (new List<GlyphPlace>(), origin.X, default(int?));
         foreach (var (from, codePoint, curves) in ShapesOf(text, font, notes))
@@ -59,6 +60,7 @@ public static class LetterRun
     {
         foreach (var rune in Composed(text).EnumerateRunes())
         {
+            if (Rune.IsControl(rune) && rune.Value != '\t') notes.Add(LayoutNoteKind.UnknownCode, string.Create(CultureInfo.InvariantCulture, $"U+{rune.Value:X4}"));
             if (IsWithoutShape(rune)) continue;
             if (ComplexLine.IsComplex(rune)) notes.Add(LayoutNoteKind.Unshaped, rune.ToString());
             yield return GlyphOf(rune.Value, font, notes);
@@ -91,9 +93,17 @@ public static class LetterRun
     private static double SlopeOf(Angle oblique)
     {
         if (oblique == Angle.Zero) return 0.0;
-        var signed = Math.IEEERemainder(oblique.Degrees, 360.0);
-        return Math.Tan(Angle.FromDegrees(Math.Clamp(signed, -LargestSlant, LargestSlant)).Radians);
+        return Math.Tan(Angle.FromDegrees(Math.Clamp(SignedSlant(oblique), -LargestSlant, LargestSlant)).Radians);
     }
+
+    /// <summary>Degrees from -180 to 180.</summary>
+    private static double SignedSlant(Angle oblique) => Math.IEEERemainder(oblique.Degrees, 360.0);
+
+    /// <summary>True for a character that a font shows as nothing: blanks, and the fillers of Hangul and Braille.</summary>
+    internal static bool IsBlank(int codePoint) => Rune.IsWhiteSpace(new Rune(codePoint)) || codePoint is 0x115F or 0x1160 or 0x2800 or 0x3164 or 0xFFA0;
+
+    /// <summary>True if the tool would follow something.</summary>
+    internal static bool HasLines(GlyphCurves curves) => curves.Contours.Any(contour => contour.Pieces.Any(piece => piece.End != contour.Start || (piece.Kind is GlyphPieceKind.Quadratic or GlyphPieceKind.Cubic && piece.Control1 != contour.Start)));
 
     private static string Composed(string text)
     {
@@ -118,8 +128,7 @@ public static class LetterRun
             }
         }
 
-        var isBlank = Rune.IsWhiteSpace(new Rune(codePoint));
-        if (isBlank) return (font, codePoint, Shape(' ', font.Font, notes) ?? new GlyphCurves(BlankAdvance * font.Font.Metrics.CapHeight, []));
+        if (IsBlank(codePoint)) return (font, codePoint, Shape(' ', font.Font, notes) ?? new GlyphCurves(BlankAdvance * font.Font.Metrics.CapHeight, []));
         var substitute = LetterFonts.BuiltIn;
         if (Shape(codePoint, substitute.Font, notes) is { } shape)
         {
@@ -135,7 +144,8 @@ public static class LetterRun
     {
         try
         {
-            return s_shapes.GetOrCreateValue(font).GetOrAdd(codePoint, font.GlyphOf);
+            var curves = s_shapes.GetOrCreateValue(font).GetOrAdd(codePoint, font.GlyphOf);
+            return curves is null || HasLines(curves) || IsBlank(codePoint) ? curves : null; // a letter without a shape is a missing one
         }
         catch (BrokenFontException)
         {

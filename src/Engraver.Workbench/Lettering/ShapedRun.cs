@@ -21,10 +21,12 @@ internal static class ShapedRun
     {
         if (font.Font is not OutlineFont outlines || !ComplexLine.IsComplex(text) || FaceOf(outlines) is not { } face) return null;
         var (glyphs, x) = (new List<GlyphPlace>(), origin.X);
-        foreach (var shaped in ComplexLine.Shape(text.Replace('\t', ' '), face))
+        var line = ComplexLine.Shape(text.Replace('\t', ' '), face);
+        foreach (var shaped in line)
         {
             var codePoint = Rune.TryGetRuneAt(text, shaped.Cluster, out var rune) ? rune.Value : 0;
             var curves = shaped.Glyph == 0 ? null : CurvesOf(outlines, shaped.Glyph, codePoint, notes);
+            if (curves is not null && !LetterRun.HasLines(curves) && ComplexLine.IsComplex(rune) && Rune.IsLetter(rune) && line.Count(other => other.Cluster == shaped.Cluster) == 1) curves = null; // a letter without a shape
             if (curves is not null)
             {
                 var scale = format.Height / font.Font.Metrics.CapHeight;

@@ -19,8 +19,6 @@ public static partial class SettingWording
         ["zero"] = (Verb("zero"), "CNCZERO"),
         ["home"] = (Verb("home"), "CNCHOME"),
         ["motors"] = (Verb("motors"), "CNCMOTORS"),
-        ["counter-again"] = ("--counter again", "CNCPLATE"),
-        ["counter-next"] = ("--counter next", "CNCPLATE"),
         ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
 

@@ -23,7 +23,7 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
     }
 
     /// <summary>Fields without a value, and letters that are not at their places.</summary>
-    private static IReadOnlyList<Diagnostic> TextFaultsOf(LetteredJob job) => [.. job.FieldFaults, .. job.Letters.Faults];
+    public static IReadOnlyList<Diagnostic> TextFaultsOf(LetteredJob job) => [.. job.FieldFaults, .. job.Letters.Faults];
 
     protected override string SizeOf(CheckedJob job) => Wording.Get("Stage.Check.Figure", job.Faults.Count);
 }

@@ -33,6 +33,11 @@ public sealed class SeriesRunTests : IDisposable
         var history = JsonText.Of(await CliRun.RunAsync("history", "--search", "whole=7", "--json")).GetProperty("entries");
         Assert.Equal("whole=7, csv row 3: NAME=Cyd", Assert.Single(history.EnumerateArray()).GetProperty("plate").GetString());
         Assert.Equal((11, 0), await CounterAsync("whole"));
+        var page = _folder.PathOf("plate.html");
+        var report = await CliRun.RunAsync("report", Drawing("whole"), "--cut", "text", "-o", page, "--journal", plates[1].GetProperty("journal").GetString()!);
+        Assert.True(report.ExitCode == ExitCode.Done, report.Error); // also: the trace is that of this plate
+        Assert.DoesNotContain("trace", report.Error, StringComparison.OrdinalIgnoreCase);
+        Assert.Contains("whole=7, csv row 3: NAME=Cyd", await File.ReadAllTextAsync(page), StringComparison.Ordinal);
     }
 
     [Fact]

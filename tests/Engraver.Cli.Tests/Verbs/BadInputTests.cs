@@ -200,7 +200,7 @@ public class BadInputTests
     [InlineData("info", "FILE", "--culture", "Klingon!!")]
     [InlineData("info", "FILE", "--culture", "xx-NOPE-ZZ")]
     [InlineData("info", "FILE", "--layers", "NOPE")]
-    [InlineData("info", "FILE", "--cut", "dimension")]
+    [InlineData("info", "FILE", "--cut", "point")]
     [InlineData("info", "FILE", "--cut", "3")]
     [InlineData("minimise", "FILE")]
     [InlineData("minimise", "FILE", "--keep", "DXF9999")]

@@ -23,7 +23,7 @@ public sealed class NotCutTests
 
         Assert.Equal(0, json.ExitCode);
         Assert.Equal("""{"TEXT":1}""", Compact(JsonText.Of(json).GetProperty("notCut")));
-        Assert.Contains("visible but NOT CUT (1 TEXT): convert texts to lines in the CAD program", said.Out, StringComparison.Ordinal);
+        Assert.Contains("visible but NOT CUT (1 TEXT): name texts with --cut (text)", said.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("the whole drawing was cut", said.Out, StringComparison.Ordinal);
     }
 

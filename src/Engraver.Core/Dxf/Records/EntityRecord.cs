@@ -56,6 +56,9 @@ internal sealed class EntityRecord
     /// <summary>Number of the block or layer it names (code 2); -1 without one.</summary>
     public int Name { get; set; }
 
+    /// <summary>The first group of a text whose number cannot be used; 0 if all can.</summary>
+    public int DamagedGroup { get; set; }
+
     /// <summary>Number of its linetype (code 6); -1 where none is named.</summary>
     public int Linetype { get; set; }
 
@@ -105,6 +108,7 @@ internal sealed class EntityRecord
         Layer = layer;
         Handle = 0;
         Name = -1;
+        DamagedGroup = 0;
         Linetype = -1;
         RepeatedCode = 0;
         DoubledCode = 0;

@@ -223,12 +223,13 @@ internal sealed class RecordReader
         }
     }
 
-    /// <summary>Reads a record pair by pair. A damaged number of an outline refuses it, because it would change the cut; in a text it has no effect.</summary>
+    /// <summary>Reads a record pair by pair. A damaged number of an outline refuses it, because it would change the cut; a text keeps its group.</summary>
     private void Collect(EntityRecord record)
     {
-        if (record.Collect(_tags, _decode) || !RecordKinds.IsOutline(record.Kind)) return;
+        if (record.Collect(_tags, _decode)) return;
         if (TryOddNumber(record, _tags.Code, out var value)) record.Collect(_tags.Code, value);
-        else RefuseValue(record, _tags.Code);
+        else if (RecordKinds.IsOutline(record.Kind)) RefuseValue(record, _tags.Code);
+        else if (record.DamagedGroup == 0) record.DamagedGroup = _tags.Code;
     }
 
     private void RefuseValue(EntityRecord record, int code) =>

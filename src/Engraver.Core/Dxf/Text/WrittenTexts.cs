@@ -12,6 +12,7 @@ internal static class WrittenTexts
 
     public static WrittenText OfText(EntityRecord record, bool isAttribute) => new()
     {
+        DamagedGroup = record.DamagedGroup,
         Raw = record.RawOf(1),
         Insertion = record.PointOrOrigin(10),
         Second = record.Has(11) ? record.PointOrOrigin(11) : null,
@@ -34,6 +35,7 @@ internal static class WrittenTexts
         var (columns, height) = TextColumnReader.Read(record);
         return new WrittenText
         {
+            DamagedGroup = record.DamagedGroup,
             Raw = record.RawOf(1, 3),
             Insertion = record.PointOrOrigin(10),
             Height = record.First(40, 0.0),

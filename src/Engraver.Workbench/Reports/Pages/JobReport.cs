@@ -56,13 +56,13 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     /// <summary>Why a saved trace cannot be shown; null if it can or there is none.</summary>
     public string? TraceProblem { get; private init; }
 
-    /// <summary>Collects the data.</summary>
+    /// <summary>Collects the data. The texts of a plate have the values of the reported run.</summary>
     /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var plate = request.Journal is { } kept ? JournalPlate.Read(kept) ?? request.Plate : request.Plate;
+        var plate = (request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) ?? request.Plate : request.Plate;
         var job = PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate, cancellation);
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;

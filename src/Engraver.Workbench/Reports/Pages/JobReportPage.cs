@@ -158,6 +158,7 @@ public static class JobReportPage
         new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
         new PagePair(Wording.Get("JobReport.Outcome"), OutcomeText.DisplayText(run.Outcome), "outcome"),
         new PagePair(Wording.Get("JobReport.Message"), run.Sentence),
+        .. run.Plate is { } plate ? new[] { new PagePair(Wording.Get("JobReport.Plate"), plate, "plate") } : [],
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
         PagePair.Of(Wording.Get(run.OpenLoop is null ? "JobReport.MaxDeviation" : "JobReport.CommandedDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
