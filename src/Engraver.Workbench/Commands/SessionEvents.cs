@@ -35,8 +35,8 @@ internal sealed class SessionEvents : IDisposable
         _machine.Changed -= OnMachineChanged;
     }
 
-    /// <summary>Passes the profile of the settings to the machine session. Disarms an armed job, because the drawing, the settings or the plate have changed, and hides
-    /// the progress of the last job.</summary>
+    /// <summary>Passes the profile of the settings to the machine session. Disarms an armed job, because the drawing, the settings or the plate have changed,
+    /// and hides the progress of the last job.</summary>
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;

@@ -6,8 +6,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The plates of the open drawing, if texts with fields are cut: the next one with its values, and the CSV file from which they come. It is no part
-/// of the undo history: a plate that was engraved remains engraved.</summary>
+/// <summary>The plates of the open drawing, if texts with fields are cut: the next one with its values, and the CSV file from which they come. It does not
+/// belong to the undo history: a plate that was engraved remains engraved.</summary>
 /// <remarks>Any thread.</remarks>
 public sealed class PlateSession(CounterBook book, TimeProvider time)
 {

@@ -7,7 +7,7 @@ using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Drawings whose texts have fields, at the command line: the next plate is shown, its numbers are spent by a start and confirmed by its end.</summary>
+/// <summary>Drawings whose texts have fields, at the command line: the next plate is shown; a start spends its numbers and its end confirms them.</summary>
 public sealed class PlateCommandTests
 {
     private const string Numbered = "N [[n:000;start=41]]";
