@@ -41,7 +41,7 @@ public static class SerialRules
 
     public static readonly DiagnosticRule NumberNotOpen = new("SER0024", Severity.Error, "counter", "number");
 
-    public static readonly DiagnosticRule CounterSetBack = new("SER0025", Severity.Warning, "counter", "value", "next");
+    public static readonly DiagnosticRule CounterSetBack = new("SER0025", Severity.Warning, "counter", "next", "value");
 
     public static readonly DiagnosticRule NotConfirmed = new("SER0026", Severity.Warning, "values", "reason");
 

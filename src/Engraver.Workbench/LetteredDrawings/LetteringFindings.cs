@@ -46,7 +46,7 @@ internal sealed class LetteringFindings
     {
         var all = new List<Diagnostic>(_lost);
         all.AddRange(fonts.Faults.Select(fault => LetteringRules.SubstitutesUnreadable.At(default, FactText.Of(fault.Line), fault.Path)));
-        all.AddRange(fonts.Used.Where(font => font.Match != FontMatch.Exact).Select(Substituted));
+        all.AddRange(fonts.Used.Where(font => font.Match != FontMatch.Exact && font.Request is not { File: "", Family: "" }).Select(Substituted));
         all.AddRange(_notes.OrderBy(pair => pair.Key).Select(pair => RuleOf(pair.Key).At(pair.Value.First, pair.Value.Details, FactText.Of(pair.Value.Texts))));
         if (_tilted is { } tilted) all.Add(LetteringRules.Tilted.At(tilted.First, FactText.Of(tilted.Count)));
         return all;
@@ -60,7 +60,7 @@ internal sealed class LetteringFindings
             { Match: FontMatch.ByTable } => LetteringRules.FontMapped,
             _ => LetteringRules.FontMissing,
         };
-        return rule.At(default, NameOf(font.Request) is { Length: > 0 } name ? name : Wording.Get("LetteringFindings.NoFont"), font.Font.Name);
+        return rule.At(default, NameOf(font.Request), font.Font.Name);
     }
 
     /// <summary>As a style or a code names the font; "" if it names none.</summary>

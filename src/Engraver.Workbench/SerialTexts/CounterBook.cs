@@ -49,7 +49,7 @@ public sealed class CounterBook
         await _file.ChangeAsync(
             document =>
             {
-                if (document.NextOf(counter) is { } before && next < before) warning = SerialRules.CounterSetBack.At(default, counter, FactText.Of(next), FactText.Of(before));
+                if (document.NextOf(counter) is { } before && next < before) warning = SerialRules.CounterSetBack.At(default, counter, FactText.Of(before), FactText.Of(next));
                 return LeaveOut(document, [counter]).WithNext(counter, next);
             },
             cancellation).ConfigureAwait(false);
