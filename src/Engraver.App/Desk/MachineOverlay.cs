@@ -13,7 +13,7 @@ namespace Engraver.App.Desk;
 /// <summary>What the machine adds to the picture of a job: its travel, its work origin, the park position, and the recorded path. Equal while none of these
 /// has changed.</summary>
 /// <param name="Zero">Machine position of the drawing's zero, millimetres; null if unknown.</param>
-/// <param name="Run">The last run of this drawing, the current one, or one that was opened; null for none.</param>
+/// <param name="Run">The last run of this drawing and plate, the current one, or one that was opened; null for none.</param>
 /// <param name="Colour">The measure that the colour of the run shows.</param>
 internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedRun? Run, RunMeasure Colour)
 {
@@ -21,7 +21,7 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     {
         if (job is null) return new MachineOverlay(null, null, null, colour);
         var frame = machine.Origins.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also of a job that would leave the travel: that is what is to be seen
-        var run = machine.Runs.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.Drawing) ? recorded : null;
+        var run = machine.Runs.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.DocumentDrawing) && (recorded.Job.Trajectories is not null || recorded.Job.Plate == job.Plate) ? recorded : null;
         return new MachineOverlay(job, frame is { } zero ? job.Settings.Machine.Scale.ToMillimetres(zero.X, zero.Y) : null, run, colour);
     }
 

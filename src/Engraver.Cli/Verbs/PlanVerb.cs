@@ -35,7 +35,7 @@ internal static class PlanVerb
             var strategy = ModeOption.Strategy(parsed, mode, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var (series, missing, reported) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
-            var job = series is null ? JobPreparation.Prepare(read, settings, strategy.Style) : PlateJob.Prepare(read, settings, strategy.Style, series.Plates[0], stop);
+            var job = PlateJob.Prepare(read, settings, strategy.Style, series?.Plates[0], stop);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
             var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
             if (series is not null) plan = plan with { Plates = [.. series.Plates.Select(PlateReportJson.From)] };

@@ -214,7 +214,7 @@ internal sealed class RunVerb
             () =>
             {
                 var style = strategy.Style;
-                var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : plate is null ? JobPreparation.Prepare(drawing, settings, style) : PlateJob.Prepare(drawing, settings, style, plate);
+                var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : PlateJob.Prepare(drawing, settings, style, plate);
                 return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, strategy, job.Drawing) : null);
             },
             stop).ConfigureAwait(false);

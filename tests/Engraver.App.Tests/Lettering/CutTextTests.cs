@@ -52,6 +52,7 @@ public sealed class CutTextTests(DesktopFixture fixture)
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal(here.Window.Canvas.Overlay!.MoveCount, here.Window.Canvas.EngravedMoves);
+        Assert.NotEqual(0, here.Window.Canvas.Overlay.Recorded.Count);
         Assert.True(cut.Max > 0, string.Join(", ", cut));
     });
 

@@ -62,7 +62,7 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var plate = ((request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) : null) ?? request.Plate;
+        var plate = (request.Journal ?? request.Run?.Journal) is { } its ? JournalPlate.Read(its) ?? request.Plate : request.Plate;
         var job = PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate, cancellation);
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
