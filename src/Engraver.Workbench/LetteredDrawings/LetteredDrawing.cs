@@ -102,7 +102,8 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         }
 
         var places = ParagraphPlaces.Of(text, layout);
-        return ParagraphPlaces.HasEveryLetter(text, layout) ? LetterCheck.Find(places, curves, maxError) : new Misplacement(double.PositiveInfinity, places.Origin);
+        if (!ParagraphPlaces.HasEveryLetter(text, layout)) return new Misplacement(double.PositiveInfinity, places.Origin);
+        return layout.Glyphs.All(glyph => !glyph.Font.Font.IsOutline) ? LetterCheck.Find(places, curves, maxError) : null; // letters of several lines may be united
     }
 
     private static DrawingEntity EntityOf(PlacedText text) => new()
