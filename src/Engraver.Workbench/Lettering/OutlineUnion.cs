@@ -60,8 +60,12 @@ internal sealed class OutlineUnion(Placement plane, double maxError)
     private static IReadOnlyList<Segment> SegmentsOf(LetterContour contour, double error) => BiarcFit.FitContour(contour.Parts.Select(part => contour.SegmentOf(part)), error);
 
     /// <summary>True for a contour that was returned as given, or reversed.</summary>
-    private static bool IsSame(IReadOnlyList<Segment> united, IReadOnlyList<Segment> given) =>
-        united.Count == given.Count && ((united[0].Start == given[0].Start && united[0].End == given[0].End) || (united[0].Start == given[^1].End && united[0].End == given[^1].Start));
+    private static bool IsSame(IReadOnlyList<Segment> united, IReadOnlyList<Segment> given)
+    {
+        if (united.Count != given.Count) return false;
+        var indices = Enumerable.Range(0, given.Count);
+        return indices.All(i => united[i].Start == given[i].Start && united[i].End == given[i].End) || indices.All(i => united[i].Start == given[^(i + 1)].End && united[i].End == given[^(i + 1)].Start);
+    }
 
     /// <summary>Letters whose boxes overlap, directly or by others between them; in the order of their first letters.</summary>
     private List<List<Letter>> Groups()
