@@ -103,7 +103,7 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
 
         var places = ParagraphPlaces.Of(text, layout);
         if (!ParagraphPlaces.HasEveryLetter(text, layout)) return new Misplacement(double.PositiveInfinity, places.Origin);
-        return layout.Glyphs.All(glyph => !glyph.Font.Font.IsOutline) ? LetterCheck.Find(places, curves, maxError) : null; // letters of several lines may be united
+        return LetterCheck.Find(places, curves, maxError);
     }
 
     private static DrawingEntity EntityOf(PlacedText text) => new()

@@ -12,7 +12,8 @@ internal static class CurveDistance
     public static double Of(Vector3D place, Func<double, Vector3D> curve)
     {
         var nearest = Enumerable.Range(0, Points + 1).MinBy(i => At((double)i / Points));
-        var (from, to) = ((nearest - 1.0) / Points, (nearest + 1.0) / Points);
+        // Not beyond the ends: there the distance would not change, and the search would leave the minimum.
+        var (from, to) = (Math.Max(0.0, (nearest - 1.0) / Points), Math.Min(1.0, (nearest + 1.0) / Points));
         for (var step = 0; step < Steps; step++)
         {
             var (one, other) = (from + ((to - from) / 3.0), to - ((to - from) / 3.0));
@@ -22,6 +23,6 @@ internal static class CurveDistance
 
         return At(0.5 * (from + to));
 
-        double At(double fraction) => (curve(Math.Clamp(fraction, 0.0, 1.0)) - place).Length;
+        double At(double fraction) => (curve(fraction) - place).Length;
     }
 }
