@@ -147,6 +147,7 @@ public sealed class ConnectedMachine
         {
             begin();
             await Watched.PauseAsync().ConfigureAwait(false);
+            _status.WatchPaused();
             try
             {
                 return await use(connection, stop).ConfigureAwait(false);

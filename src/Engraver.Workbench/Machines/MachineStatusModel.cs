@@ -215,7 +215,14 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>Notes that no job or move is active.</summary>
-    public void ClearJob() => Change(facts => facts with { IsJobRunning = false, IsStopping = false, FeedHold = FeedHoldPhase.None, MoveName = null });
+    public void ClearJob() => Change(Idle);
+
+    /// <summary>Notes that polls have ended for a motion: the last one, which may have arrived after the motion started, was read before it.</summary>
+    public void WatchPaused() => Change(facts => facts with { IsPollStale = facts.IsPollStale || facts.IsJobRunning });
+
+    /// <summary>Notes the end of a jog after which the controller is kept ready. The last poll may have been read before the jog: the position is that of the
+    /// jog until the next one.</summary>
+    public void ClearJog() => Change(facts => Idle(facts) with { IsPollStale = true });
 
     /// <summary>Notes new overrides.</summary>
     public void SetOverrides(double feed, double rapid) => Change(facts => facts with { FeedRatio = feed, RapidRatio = rapid });
@@ -230,6 +237,8 @@ internal sealed class MachineStatusModel : IDisposable
     public void RaiseChanged() => _changed();
 
     public void Dispose() => Arming.Dispose();
+
+    private static MachineFacts Idle(MachineFacts facts) => facts with { IsJobRunning = false, IsStopping = false, FeedHold = FeedHoldPhase.None, MoveName = null };
 
     private void Change(Func<MachineFacts, MachineFacts> change)
     {

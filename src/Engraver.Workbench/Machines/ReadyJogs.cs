@@ -72,7 +72,6 @@ public sealed class ReadyJogs
     private void Begin(StandbyMachine ready)
     {
         if (ready.First is not null) _status.MoveStarted(Wording.Get("MachineSession.Jogging"));
-        else _status.ClearJob();
     }
 
     private async Task<JobResult> StandByAsync(MachineConnection connection, StandbyMachine ready, string journal, CancellationToken stop)
@@ -101,7 +100,7 @@ public sealed class ReadyJogs
         if (ready.Standby.IsLeaving && result.Outcome != JobOutcome.Complete) await ready.Closed.ConfigureAwait(false);
         if (!ReferenceEquals(_interlock.Ready, ready) || ready.Standby.Pressed is not null) return result;
         _machine.Lease?.NoteMotionEnd(result);
-        _status.ClearJob();
+        _status.ClearJog();
         _status.RaiseChanged();
         return result;
     }

@@ -136,6 +136,34 @@ public class MachineStatusTests
         Assert.Equal(13.0, (told with { LinkFailure = null }).ToStatus(MachineProfile.Default, null).MachinePosition!.Value.X);
     }
 
+    /// <summary>A poll that was under way when the motion started arrives late.</summary>
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_poll_from_before_a_motion_does_not_replace_the_position_at_its_end(bool isKeptReady)
+    {
+        using var model = new MachineStatusModel(new ManualTimeProvider(), () => { });
+        model.Connected("tcp://a", isSimulation: false, new MachineIdentity("DMC2143", 4));
+        model.Polled(s_rest);
+        model.MoveStarted("a jog");
+        model.Polled(s_rest);
+        if (!isKeptReady) model.WatchPaused();
+        model.MoveProgressed(s_told);
+        if (isKeptReady)
+        {
+            model.ClearJog();
+        }
+        else
+        {
+            model.LinkLost(new ControllerLinkException("Nobody answers."));
+            model.ClearJob();
+        }
+
+        Assert.Equal(3.0, model.Status.MachinePosition!.Value.X);
+        model.Polled(s_rest with { Position = new CountsPoint(7000, 0) });
+        Assert.Equal(7.0, model.Status.MachinePosition!.Value.X);
+    }
+
     private static MachineFacts With(MachineReading poll) => s_idle with { Poll = poll };
 
     private static MachineStatus Status(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null);
