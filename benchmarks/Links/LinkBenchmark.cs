@@ -86,8 +86,32 @@ internal static class LinkBenchmark
 
     private static double At(List<double> times, double part) => times[Math.Min(times.Count - 1, (int)(times.Count * part))];
 
-    /// <summary>Context switches of each thread of this process so far: each is the end of a wait, or another thread that got the processor.</summary>
-    private static Dictionary<string, long> ContextSwitches() => Directory.EnumerateDirectories("/proc/self/task").ToDictionary(thread => thread, thread => File.ReadLines(Path.Combine(thread, "status"))
-        .Where(line => line.Contains("_ctxt_switches:", StringComparison.Ordinal))
-        .Sum(line => long.Parse(line.AsSpan(line.IndexOf('\t', StringComparison.Ordinal)), NumberStyles.AllowLeadingWhite, CultureInfo.InvariantCulture)));
+    /// <summary>Context switches of each thread of this process so far: each is the end of a wait, or another thread that got the processor. A thread that
+    /// ends while they are read is left out.</summary>
+    private static Dictionary<string, long> ContextSwitches()
+    {
+        var switches = new Dictionary<string, long>();
+        foreach (var thread in Directory.EnumerateDirectories("/proc/self/task"))
+        {
+            if (ContextSwitches(thread) is { } count) switches.Add(thread, count);
+        }
+
+        return switches;
+    }
+
+    /// <param name="thread">Folder of a thread.</param>
+    /// <returns>Null when the thread has ended.</returns>
+    internal static long? ContextSwitches(string thread)
+    {
+        try
+        {
+            return File.ReadLines(Path.Combine(thread, "status"))
+                .Where(line => line.Contains("_ctxt_switches:", StringComparison.Ordinal))
+                .Sum(line => long.Parse(line.AsSpan(line.IndexOf('\t', StringComparison.Ordinal)), NumberStyles.AllowLeadingWhite, CultureInfo.InvariantCulture));
+        }
+        catch (IOException)
+        {
+            return null; // the folder ends with its thread
+        }
+    }
 }

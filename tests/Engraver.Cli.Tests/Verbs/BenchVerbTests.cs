@@ -1,3 +1,5 @@
+using Engraver.Benchmarks.Links;
+
 namespace Engraver.Cli.Tests.Verbs;
 
 public class BenchVerbTests
@@ -113,6 +115,13 @@ public class BenchVerbTests
         Assert.Equal(12, tables[1].Count);
         Assert.All(tables[1], row => Assert.DoesNotContain("not reported", row[3], StringComparison.Ordinal));
         Assert.All(tables[1], row => Assert.Equal(row[1].Contains("vanishes", StringComparison.Ordinal), row[6].Length == 0));
+    }
+
+    [Fact]
+    public void A_thread_that_ended_while_switches_are_counted_is_left_out()
+    {
+        Assert.InRange(LinkBenchmark.ContextSwitches("/proc/self/task/" + Environment.ProcessId)!.Value, 1, long.MaxValue);
+        Assert.Null(LinkBenchmark.ContextSwitches("/proc/self/task/0"));
     }
 
     [Theory]
