@@ -12,7 +12,7 @@ internal sealed class LetterCheck
     private const double OfSize = 1e-9;
     private const double OfCoordinates = 1e-13;
 
-    /// <summary>Of a curve, for its area.</summary>
+    /// <summary>Of a curve, for its area and its box.</summary>
     private const int Chords = 8;
 
     private static readonly double[] s_fractions = [0.0, 0.3, 0.7, 1.0];
@@ -23,7 +23,9 @@ internal sealed class LetterCheck
     private readonly double _allowed;
     private readonly bool[] _isFound;
     private readonly List<Func<double, Vector3D>> _united = [];
-    private int _next;
+
+    /// <summary>The starts of the parts that are not found yet.</summary>
+    private readonly BoxTree _starts;
     private Misplacement? _worst;
 
     private LetterCheck(ILetterPlaces places, LetterCurves curves)
@@ -31,6 +33,7 @@ internal sealed class LetterCheck
         (_places, _curves, _isFound) = (places, curves, new bool[curves.Parts.Count]);
         _origin = places.Origin;
         _allowed = (OfSize * places.Size) + (OfCoordinates * places.LargestTerm);
+        _starts = BoxTree.Build([.. curves.Parts.Select(part => InPlan(Of(part, 0.0)))]);
     }
 
     /// <param name="places">The second calculation for the same text.</param>
@@ -91,23 +94,16 @@ internal sealed class LetterCheck
         }
     }
 
-    /// <summary>Finds the part of a curve: the next one, or any other one if letters are in another order; that of an outline may have been united.</summary>
+    /// <summary>Finds the part of a curve; that of an outline may have been united.</summary>
     /// <param name="expected">A point of the curve by its fraction, and by the part that is compared where that has another parameter.</param>
     private void Compare(Func<DrawingPart?, double, Vector3D> expected, bool isOutline)
     {
-        var (start, nearest) = (expected(null, 0.0), (Index: -1, Distance: double.PositiveInfinity));
-        for (var i = 0; i < _isFound.Length && nearest.Distance > _allowed; i++)
+        var start = expected(null, 0.0);
+        var nearest = _starts.Nearest(InPlan(start), (part, _) => Distance(_curves.Parts[part], expected), isOutline ? _allowed : double.PositiveInfinity, out var distance);
+        if (nearest >= 0 && distance <= _allowed)
         {
-            var index = (_next + i) % _isFound.Length;
-            if (_isFound[index] || (Of(_curves.Parts[index], 0.0) - start).Length > nearest.Distance) continue;
-            var distance = Distance(_curves.Parts[index], expected);
-            if (distance < nearest.Distance) nearest = (index, distance);
-        }
-
-        if (nearest.Distance <= _allowed)
-        {
-            _isFound[nearest.Index] = true;
-            _next = nearest.Index + 1;
+            _isFound[nearest] = true;
+            _starts.Hide(nearest);
         }
         else if (isOutline)
         {
@@ -115,7 +111,7 @@ internal sealed class LetterCheck
         }
         else
         {
-            Note(nearest.Distance, start);
+            Note(distance, start);
         }
     }
 
@@ -126,12 +122,29 @@ internal sealed class LetterCheck
     {
         var rest = Enumerable.Range(0, _isFound.Length).Where(i => !_isFound[i]).Select(i => _curves.Parts[i]).ToList();
         if (rest.Count == 0 && HasArea(maxError) && !Reaches(maxError)) Note(double.PositiveInfinity, _united[0](0.0));
+        var outlines = BoxTree.Build([.. _united.Select(BoxOf)]);
         foreach (var point in rest.SelectMany(part => s_fractions.Select(fraction => Of(part, fraction))))
         {
-            var distance = _united.Select(curve => CurveDistance.Of(point, curve)).DefaultIfEmpty(double.PositiveInfinity).Min();
+            var distance = Nearest(point, CurveDistance.FewPoints);
+            if (distance > maxError + _allowed) distance = Nearest(point, CurveDistance.ManyPoints); // a curve that turns back on itself
             if (!(distance <= maxError + _allowed)) Note(distance, point);
         }
+
+        double Nearest(Vector3D point, int points)
+        {
+            outlines.Nearest(InPlan(point), (curve, _) => CurveDistance.Of(point, _united[curve], points), double.PositiveInfinity, out var distance);
+            return distance;
+        }
     }
+
+    /// <summary>A box that contains the curve: that of some of its points, grown by the largest step between them.</summary>
+    private static Bounds2D BoxOf(Func<double, Vector3D> curve)
+    {
+        Point2D[] points = [.. Enumerable.Range(0, Chords + 1).Select(i => InPlan(curve((double)i / Chords)))];
+        return points.Aggregate(Bounds2D.Empty, (box, point) => box.Including(point)).Grown(points.Zip(points.Skip(1), (one, other) => (other - one).Length).Max());
+    }
+
+    private static Point2D InPlan(Vector3D point) => new(point.X, point.Y);
 
     /// <summary>True if what is cut reaches as far as the united outlines: they may be inside another one.</summary>
     private bool Reaches(double maxError)
