@@ -19,7 +19,7 @@ public static class DrawingFile
     public static bool IsUnreadable(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return drawing is { HasErrors: true, Entities.Count: 0 };
+        return drawing is { HasErrors: true, Entities.Count: 0, Texts.Count: 0 };
     }
 
     private static Drawing Open(string path, DxfReadOptions options, CancellationToken cancellation)

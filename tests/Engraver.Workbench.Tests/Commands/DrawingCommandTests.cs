@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Settings;
@@ -32,6 +33,18 @@ public class DrawingCommandTests
         Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "text.dxf")).Reason);
         Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "nowhere.dxf")).Reason);
         Assert.Same(before, talk.State);
+    }
+
+    [Fact]
+    public async Task A_drawing_of_texts_with_a_damaged_curve_is_opened_with_its_error()
+    {
+        await using var talk = new CommandTestSession();
+        var damaged = DxfText.WithEntities((0, "TEXT"), (8, "0"), (10, 0.0), (20, 0.0), (40, 5.0), (1, "A"), (0, "LINE"), (8, "0"), (10, "x"), (20, 0.0), (11, 9.0), (21, 0.0));
+        await File.WriteAllBytesAsync(talk.PathOf("text.dxf"), damaged.ToAscii());
+        await talk.TypeAsync("OPEN", "text.dxf");
+
+        Assert.Single(talk.State.Drawing!.Texts);
+        Assert.True(talk.State.Drawing!.HasErrors);
     }
 
     [Fact]
