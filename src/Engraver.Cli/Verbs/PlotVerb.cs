@@ -7,6 +7,7 @@ using Engraver.Core.Plots;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Cli.Verbs;
 
@@ -31,7 +32,7 @@ internal static class PlotVerb
             VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             OutputFormat.Check(parsed.GetValue(output), ".svg");
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            IReadOnlyList<Diagnostic> findings = [];
+            var findings = DrawingFile.IsUnreadable(read) ? [] : JobPreparation.To<LetteredJob>(read, settings).Findings;
             var plot = parsed.GetValue(what) switch
             {
                 "trajectory" => Trajectories(DrawingPlot.OfTrajectories(read, settings, null)),
@@ -45,7 +46,7 @@ internal static class PlotVerb
 
             PlotModel Trajectories((PlotModel Plot, IReadOnlyList<Diagnostic> Findings) made)
             {
-                findings = made.Findings;
+                findings = [.. findings, .. made.Findings];
                 return made.Plot;
             }
         });

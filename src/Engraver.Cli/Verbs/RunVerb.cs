@@ -223,7 +223,7 @@ internal sealed class RunVerb
     /// <summary>Mentions that errors can be accepted only if there is something to run.</summary>
     private static string NotStartedReason(PreparedJob job)
     {
-        if (DrawingFile.IsUnreadable(job.Drawing)) return Wording.Get("Run.DrawingUnreadable");
+        if (DrawingFile.IsUnreadable(job.DocumentDrawing)) return Wording.Get("Run.DrawingUnreadable");
         return job.Motion.Program is null ? job.NoProgramReason : Wording.Get("Run.DrawingHasErrors");
     }
 
