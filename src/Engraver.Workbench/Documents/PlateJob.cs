@@ -12,8 +12,8 @@ public static class PlateJob
 {
     /// <summary>Runs all stages up to the checked motion program, with the drawing in the cell of the plate.</summary>
     /// <param name="style">As for <see cref="JobPreparation"/>.</param>
-    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing, or the cell is outside the range of a drawing.</exception>
     /// <param name="plate">Null for a drawing without plates.</param>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing, or the cell is outside the range of a drawing.</exception>
     public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style, Plate? plate, CancellationToken cancellation = default) =>
         PreparedJob.From(new StageRun(Drawn(drawing, settings, style, plate), cancellation).To<CheckedJob>()) with { Plate = plate };
 

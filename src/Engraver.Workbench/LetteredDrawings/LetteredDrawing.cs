@@ -32,13 +32,12 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         ArgumentNullException.ThrowIfNull(fonts);
         var (added, findings) = (new AddedCurves(drawing), new LetteringFindings());
         var (done, rest) = (new List<LetteredText>(), new List<PlacedText>());
-        for (var index = 0; index < drawing.Texts.Count; index++)
+        foreach (var text in drawing.Texts)
         {
             cancellation.ThrowIfCancellationRequested();
-            var text = drawing.Texts[index];
             if (isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
             {
-                done.Add(new LetteredText(index, added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
+                done.Add(new LetteredText(added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
                 continue;
             }
 

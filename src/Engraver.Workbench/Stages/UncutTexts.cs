@@ -11,8 +11,6 @@ public static class UncutTexts
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
-        if (drawing.Texts.Count == 0 || settings.Cut.HasFlag(CutChoice.Text)) return 0;
-        var taken = StageOptions.SelectionOf(settings).Taken(drawing.Layers);
-        return drawing.Texts.Count(text => !text.Hidden && taken[text.Layer]);
+        return drawing.Texts.Count == 0 || settings.Cut.HasFlag(CutChoice.Text) ? 0 : drawing.Texts.Count(LetterStage.TakenBy(drawing, settings));
     }
 }

@@ -13,7 +13,6 @@ internal sealed class StyleCommand : ICommand
     private const double MaxSlant = 85.0;
     private const double MinWidth = 0.01;
     private const double MaxWidth = 100.0;
-    private static readonly string[] s_fontFiles = [".shx", ".ttf", ".otf", ".ttc", ".otc", ".lff", ".jhf"];
 
     public CommandInfo Info { get; } = new("STYLE", CommandGroup.Drawing);
 
@@ -38,7 +37,7 @@ internal sealed class StyleCommand : ICommand
     {
         var typed = (await context.ValueAsync(new TextPrompt(Wording.Get("Style.EnterFont")) { Default = TextStylePrompts.FontOf(style) }).ConfigureAwait(false)).Trim();
         if (typed == TextStylePrompts.FontOf(style)) return style;
-        var isFile = s_fontFiles.Contains(Path.GetExtension(typed), StringComparer.OrdinalIgnoreCase);
+        var isFile = FontLibrary.IsFontFile(typed);
         var byFile = style with { FontFile = typed, Family = "", FamilyFlags = 0, BigFontFile = "" };
         var named = isFile || Found(context, byFile).Match == FontMatch.Exact ? byFile : byFile with { FontFile = "", Family = typed };
         if (Found(context, named) is { Match: not FontMatch.Exact } other) context.WriteMessage(Wording.Get("Style.FontNotFound", typed, other.Font.Name), MessageKind.Warning);
