@@ -51,6 +51,8 @@ public sealed class HeightJudge : ITraceJudge
         _last = sample;
     }
 
+    public void BeginRun() => (_wasRaised, _found, _last, _followed) = (false, null, null, (-1, default));
+
     /// <summary>True until the tool is up for the first time, at its initial place: it is raised from its initial position, on or in the work.</summary>
     private bool IsFirstRaise(in TraceSample sample)
     {

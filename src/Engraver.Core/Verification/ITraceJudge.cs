@@ -10,6 +10,11 @@ public interface ITraceJudge
     /// <summary>Adds a span that the machine moved along.</summary>
     void Add(in TraceSpan span);
 
+    /// <summary>The next sample is the first of another run: the machine is at rest where it was found.</summary>
+    void BeginRun()
+    {
+    }
+
     /// <summary>The result so far; after the last sample, the final result.</summary>
     TraceVerdict Verdict();
 }

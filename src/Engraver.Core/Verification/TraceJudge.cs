@@ -66,6 +66,8 @@ public sealed class TraceJudge : ITraceJudge
         _last = span.At(1.0);
     }
 
+    public void BeginRun() => _last = null;
+
     /// <summary>The result so far; after the last sample, the final result.</summary>
     public TraceVerdict Verdict()
     {

@@ -68,5 +68,6 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
     public void FeedJudge(ITraceJudge judge, MotionProgram program)
     {
         foreach (var sample in CutPath.SamplesBefore(program, Place)) judge.Add(sample);
+        judge.BeginRun();
     }
 }
