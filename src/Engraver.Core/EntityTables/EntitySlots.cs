@@ -11,6 +11,24 @@ internal struct EntitySlots
 
     public Point2D Centre => new(this[EntitySlot.CentreX], this[EntitySlot.CentreY]);
 
+    /// <summary>The slots of an analysed row for a line or an arc at one height.</summary>
+    public static EntitySlots Of(in Segment segment, double z)
+    {
+        var slots = default(EntitySlots);
+        slots[EntitySlot.Kind] = (int)segment.Kind;
+        slots.SetStart(segment.Start, z);
+        slots.SetEnd(segment.End, z);
+        if (segment.Kind == SegmentKind.Line) return slots;
+        var arc = segment.Arc;
+        slots.SetCentre(arc.Centre, z);
+        slots[EntitySlot.Radius] = arc.Radius;
+        slots[EntitySlot.StartAngle] = arc.Start.Degrees;
+        slots[EntitySlot.EndAngle] = arc.Start.Degrees + arc.Sweep.Degrees;
+        slots[EntitySlot.Sweep] = arc.Sweep.Degrees;
+        if (segment.Kind == SegmentKind.Circle) slots.StartCircleAt(arc.Start);
+        return slots;
+    }
+
     /// <summary>The same points in the opposite direction: ends swapped, angles swapped, sweep negated.</summary>
     public void Reverse()
     {

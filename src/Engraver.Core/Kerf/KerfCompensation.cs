@@ -87,7 +87,7 @@ internal sealed class CompensatedTableBuilder(ChainedTable chained, KerfOptions 
         for (var i = 0; i < loop.Segments.Count; i++)
         {
             var row = RowOf(group[loop.Sources[i].Contour], loop.Sources[i].Segment);
-            Table.Append(SlotsOf(loop.Segments[i], chained.Kept[row][EntitySlot.StartZ]), chained.Kept.EntityIndexOf(row), null);
+            Table.Append(EntitySlots.Of(loop.Segments[i], chained.Kept[row][EntitySlot.StartZ]), chained.Kept.EntityIndexOf(row), null);
         }
     }
 
@@ -103,22 +103,4 @@ internal sealed class CompensatedTableBuilder(ChainedTable chained, KerfOptions 
 
     private void Fault(DiagnosticRule rule, int contour, Point2D place, params string[] facts) =>
         Faults.Add(rule.At(KerfCompensation.SourceOf(chained.Drawing, EntityOf(contour, 0)), [FactText.Of(place.X), FactText.Of(place.Y), .. facts]));
-
-    /// <summary>The slots of an analysed row.</summary>
-    private static EntitySlots SlotsOf(in Segment segment, double z)
-    {
-        var slots = default(EntitySlots);
-        slots[EntitySlot.Kind] = (int)segment.Kind;
-        slots.SetStart(segment.Start, z);
-        slots.SetEnd(segment.End, z);
-        if (segment.Kind == SegmentKind.Line) return slots;
-        var arc = segment.Arc;
-        slots.SetCentre(arc.Centre, z);
-        slots[EntitySlot.Radius] = arc.Radius;
-        slots[EntitySlot.StartAngle] = arc.Start.Degrees;
-        slots[EntitySlot.EndAngle] = arc.Start.Degrees + arc.Sweep.Degrees;
-        slots[EntitySlot.Sweep] = arc.Sweep.Degrees;
-        if (segment.Kind == SegmentKind.Circle) slots.StartCircleAt(arc.Start);
-        return slots;
-    }
 }

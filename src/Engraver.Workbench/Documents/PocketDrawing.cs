@@ -24,11 +24,11 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static PocketDrawing Create(Drawing drawing, DrawingSettings settings, PocketOptions options, PocketDepths depths)
     {
-        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off });
+        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off, Operations = null });
         var chained = job.Chained;
         var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), options);
         var cuts = PocketLevels.Of(result, options, depths);
-        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, options), .. Findings(cuts, depths)]);
+        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : PocketFindings.Of(result, options), .. Findings(cuts, depths)]);
     }
 
     /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>
@@ -71,17 +71,6 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         }
 
         return segments;
-    }
-
-    /// <summary>The findings of the passes.</summary>
-    internal static IEnumerable<Diagnostic> Findings(PocketResult result, PocketOptions options)
-    {
-        if (result.Regions == 0) yield return PocketRules.NoInside.At(default);
-        else if (result.WithoutInside > 0) yield return PocketRules.WithoutInside.At(default, FactText.Of(result.WithoutInside));
-        if (result.Unresolved is [var open, ..]) yield return PocketRules.NotClosed.At(default, FactText.Of(open.X), FactText.Of(open.Y), FactText.Of(result.Unresolved.Count)) with { Place = open };
-        if (result.LeftStanding is [var left, ..]) yield return PocketRules.LeftStanding.At(default, FactText.Of(result.UncoveredArea), FactText.Of(left.X), FactText.Of(left.Y)) with { Place = left };
-        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, FactText.Of(result.TooNarrow.Count), FactText.Of(narrow.Width), FactText.Of(narrow.Place.X), FactText.Of(narrow.Place.Y), FactText.Of(2.0 * options.ToolRadius)) with { Place = narrow.Place };
-        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, FactText.Of(result.Unreached.Count), FactText.Of(result.Unreached.Sum(place => place.Area ?? 0.0)), FactText.Of(deepest.Depth), FactText.Of(deepest.Place.X), FactText.Of(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
     /// <summary>The findings of the entry moves.</summary>
