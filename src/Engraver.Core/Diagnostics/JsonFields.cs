@@ -9,6 +9,8 @@ public sealed class JsonFields
 {
     private static readonly JsonReaderOptions s_options = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
 
+    private static readonly char[] s_ends = ['.', '['];
+
     private readonly List<JsonField> _fields = [];
 
     private JsonFields()
@@ -48,15 +50,16 @@ public sealed class JsonFields
     /// <summary>Whether the field with a path has any content.</summary>
     public bool HasAny(string path) => _fields.Any(field => field.Owner == path);
 
-    /// <summary>The line of a field, or of the field that contains it; 0 when neither is in the file.</summary>
+    /// <summary>The line of a field, or of the field that contains it; of an entry of a list, that of its first field. 0 when none is in the file.</summary>
     /// <param name="setting">The name in findings: <c>homing.X.by</c> is located at <c>homing</c>.</param>
     public long LineOf(string setting)
     {
         ArgumentNullException.ThrowIfNull(setting);
-        for (var path = setting; ; path = path[..path.LastIndexOf('.')])
+        for (var path = setting; ; path = path[..path.LastIndexOfAny(s_ends)])
         {
             if (_fields.FirstOrDefault(field => field.Path == path) is { Line: > 0 } found) return found.Line;
-            if (!path.Contains('.', StringComparison.Ordinal)) return 0;
+            if (_fields.FirstOrDefault(field => field.Owner == path) is { Line: > 0 } first && path.EndsWith(']')) return first.Line;
+            if (path.LastIndexOfAny(s_ends) < 0) return 0;
         }
     }
 

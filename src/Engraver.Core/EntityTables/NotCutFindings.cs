@@ -10,7 +10,8 @@ namespace Engraver.Core.EntityTables;
 /// <param name="First">Where the first of them is in the file.</param>
 public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, SourceRef First)
 {
-    public static NotCutFindings From(Drawing drawing, LayerSelection selection)
+    /// <param name="notTaken">Curves that are not cut either, by entity.</param>
+    public static NotCutFindings From(Drawing drawing, LayerSelection selection, IReadOnlyList<int>? notTaken = null)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(selection);
@@ -26,6 +27,8 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         {
             if (taken[layer]) Add(type, count, source);
         }
+
+        foreach (var entity in notTaken ?? []) Add(drawing.Entities[entity].Type.ToDxfName(), 1, drawing.SourceOf(entity));
 
         return new NotCutFindings(counts, first ?? default) { CutsTexts = drawing.Cut.HasFlag(CutChoice.Text) };
 

@@ -13,6 +13,9 @@ public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<Stroke
     /// is one move.</summary>
     public IReadOnlyList<int>? RowMoves { get; init; }
 
+    /// <summary>Cutting speed along the path, mm/min; null: that of the machine.</summary>
+    public double? FeedMmPerMinute { get; init; }
+
     public Point2D Start => Moves[0].Segment.Start;
 
     public Point2D End => Moves[^1].Segment.End;

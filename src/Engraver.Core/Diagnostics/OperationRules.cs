@@ -1,0 +1,53 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>The findings of operations: their file, what they take of the drawing, and what they make of it. Lengths in the sentences are
+/// millimetres.</summary>
+public static class OperationRules
+{
+    public static readonly DiagnosticRule Unreadable = new("OPR0001", Severity.Error, "reason");
+
+    public static readonly DiagnosticRule FieldUnknown = new("OPR0002", Severity.Error, "field", "nearest");
+
+    public static readonly DiagnosticRule ValueInvalid = new("OPR0003", Severity.Error, "field", "value", "allowed");
+
+    public static readonly DiagnosticRule FieldMissing = new("OPR0004", Severity.Error, "field");
+
+    public static readonly DiagnosticRule LayerUnknown = new("OPR0005", Severity.Error, "operation", "layer", "nearest");
+
+    public static readonly DiagnosticRule HandleUnknown = new("OPR0006", Severity.Error, "operation", "handle");
+
+    public static readonly DiagnosticRule CutTwice = new("OPR0007", Severity.Warning, "one", "other", "count");
+
+    public static readonly DiagnosticRule NotTaken = new("OPR0008", Severity.Warning, "count", "length");
+
+    public static readonly DiagnosticRule TakesNothing = new("OPR0009", Severity.Warning, "operation");
+
+    public static readonly DiagnosticRule NoToolAxis = new("OPR0010", Severity.Error, "operation", "field");
+
+    public static readonly DiagnosticRule NoDepth = new("OPR0011", Severity.Error, "operation");
+
+    public static readonly DiagnosticRule SeveralTools = new("OPR0012", Severity.Error, "tools");
+
+    public static readonly DiagnosticRule DeeperThanTool = new("OPR0013", Severity.Warning, "operation", "depth", "tool", "limit");
+
+    public static readonly DiagnosticRule SpindleByHand = new("OPR0014", Severity.Info, "operation", "speed");
+
+    public static readonly DiagnosticRule LowestPlunge = new("OPR0015", Severity.Info, "plunge");
+
+    public static readonly DiagnosticRule OpenContour = new("OPR0016", Severity.Error, "operation", "x", "y");
+
+    public static readonly DiagnosticRule NotPosted = new("OPR0017", Severity.Error, "target");
+
+    public static readonly DiagnosticRule NotAsStated = new("OPR0018", Severity.Error, "operation", "what", "x", "y");
+
+    public static readonly DiagnosticRule NotDrilled = new("OPR0019", Severity.Warning, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule NothingOn = new("OPR0020", Severity.Error, "tool");
+
+    /// <summary>Every rule, for the documentation and its test.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } =
+    [
+        Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
+        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn,
+    ];
+}

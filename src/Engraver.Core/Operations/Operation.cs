@@ -1,0 +1,87 @@
+namespace Engraver.Core.Operations;
+
+/// <summary>One operation: what is machined, with which tool, how deep and how. Lengths in millimetres, depths below the top of the work (height 0) and
+/// positive.</summary>
+public sealed record Operation
+{
+    /// <summary>Unique in its list; files, journals and reports name the operation by it.</summary>
+    public required string Id { get; init; }
+
+    /// <summary>The name that is shown; empty for none.</summary>
+    public string Name { get; init; } = "";
+
+    /// <summary>False: it is kept and not run.</summary>
+    public bool IsOn { get; init; } = true;
+
+    public required OperationKind Kind { get; init; }
+
+    public required OperationSelection Select { get; init; }
+
+    /// <summary>Number of the tool in the library.</summary>
+    public required int Tool { get; init; }
+
+    /// <summary>Cutting speed along the path, mm/min; null: that of the tool, otherwise of the machine profile.</summary>
+    public double? Feed { get; init; }
+
+    /// <summary>Speed straight down, mm/min; null: that of the tool, otherwise of the machine profile.</summary>
+    public double? Plunge { get; init; }
+
+    /// <summary>Speed of the spindle, turns per minute; null: that of the tool, or none.</summary>
+    public double? Spindle { get; init; }
+
+    /// <summary>Depth of the surface where cutting begins.</summary>
+    public double StartDepth { get; init; }
+
+    /// <summary>Final depth; null on a machine without a tool axis.</summary>
+    public double? Depth { get; init; }
+
+    /// <summary>Maximum depth that one pass removes; null: one pass.</summary>
+    public double? DepthPerPass { get; init; }
+
+    /// <summary>Depth that a last pass removes; 0 for no such pass.</summary>
+    public double Finish { get; init; }
+
+    /// <summary>Material that a profile or pocket leaves at the walls.</summary>
+    public double Stock { get; init; }
+
+    /// <summary>Number of times that the last pass is cut.</summary>
+    public int Repeats { get; init; } = 1;
+
+    public CutDirection Direction { get; init; }
+
+    public PassOrder Order { get; init; }
+
+    /// <summary>Side of a profile.</summary>
+    public ProfileSide Side { get; init; } = ProfileSide.Nesting;
+
+    /// <summary>Distance of neighbouring passes of a pocket as a fraction of the tool's diameter, above 0 and below 1.</summary>
+    public double Stepover { get; init; } = 0.4;
+
+    /// <summary>Passes of a pocket are straight rows; otherwise they are parallel to its contour.</summary>
+    public bool IsZigzag { get; init; }
+
+    /// <summary>Direction of straight rows, degrees counter-clockwise from the X axis.</summary>
+    public double AngleDegrees { get; init; }
+
+    /// <summary>Depth of a peck of a drill, after which the tool rises to the surface; null: one movement.</summary>
+    public double? Peck { get; init; }
+
+    /// <summary>A drill takes circles up to this diameter only; null: every circle.</summary>
+    public double? MaxDiameter { get; init; }
+
+    /// <summary>The name, or the id where it has none.</summary>
+    public string Title => Name.Length > 0 ? Name : Id;
+
+    /// <summary>Depth of each pass, from the top down; the last is <see cref="Depth"/>, once for each repeat. Passes divide the depth evenly.</summary>
+    public IReadOnlyList<double> PassDepths()
+    {
+        if (Depth is not { } depth) return [.. Enumerable.Repeat(0.0, Repeats)];
+        var rough = depth - Finish;
+        var count = DepthPerPass is { } step ? Math.Max(1, (int)Math.Ceiling((rough - StartDepth) / step * (1.0 - 1e-12))) : 1;
+        List<double> depths = [.. Enumerable.Range(1, count).Select(pass => StartDepth + ((rough - StartDepth) * pass / count))];
+        if (Finish > 0.0) depths.Add(depth);
+        depths[^1] = depth;
+        depths.AddRange(Enumerable.Repeat(depth, Repeats - 1));
+        return depths;
+    }
+}

@@ -1,0 +1,136 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>Compares the strokes of each operation with what the operation states, before anything is sent or written: every pass cuts the whole shape, at the
+/// stated depths, and a profile runs in the stated direction. Shares no method with ordering and passes; the shape itself is compared with the drawing by
+/// <see cref="Kerf.KerfCheck"/> and by the area that a pocket sweeps.</summary>
+public static class OperationCheck
+{
+    /// <summary>Rounding of depths, millimetres.</summary>
+    private const double DepthRounding = 1e-9;
+
+    /// <param name="shapes">The shapes in the order of the operations.</param>
+    /// <param name="toolpath">The path of the whole job.</param>
+    /// <param name="strokes">Operation and pass of each of its strokes.</param>
+    /// <returns>Empty when the path is as stated.</returns>
+    public static IReadOnlyList<Diagnostic> Findings(IReadOnlyList<ShapedOperation> shapes, Toolpath toolpath, IReadOnlyList<StrokePass> strokes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
+    {
+        ArgumentNullException.ThrowIfNull(shapes);
+        ArgumentNullException.ThrowIfNull(toolpath);
+        ArgumentNullException.ThrowIfNull(strokes);
+        var findings = new List<Diagnostic>();
+        var own = toolpath.Strokes.Zip(strokes).ToLookup(pair => pair.Second.Operation.Id, pair => (Stroke: pair.First, pair.Second.Pass));
+        foreach (var shape in shapes)
+        {
+            var passes = own[shape.Operation.Id].GroupBy(stroke => stroke.Pass, stroke => stroke.Stroke).OrderBy(pass => pass.Key).Select(pass => pass.ToList()).ToList();
+            findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, passes) : PassFindings(shape, passes, tolerances, sourceOf));
+        }
+
+        return findings;
+    }
+
+    private static IEnumerable<Diagnostic> PassFindings(ShapedOperation shape, List<List<ToolpathStroke>> passes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
+    {
+        if (shape.Path.Count == 0) yield break;
+        if (DepthFault(shape.Operation, [.. passes.Select(pass => -pass[0].Moves[0].StartZ)]) is { } fault) yield return NotAsStated(shape, fault, passes.Count > 0 ? passes[0][0].Start : default);
+        foreach (var pass in passes)
+        {
+            var level = pass[0].Moves[0].StartZ;
+            foreach (var stroke in pass)
+            {
+                if (stroke.Moves.Any(move => move.StartZ != level || move.EndZ != level)) yield return NotAsStated(shape, "depth", stroke.Start);
+                if (DirectionFault(shape.Operation, stroke, pass)) yield return NotAsStated(shape, "direction", stroke.Start);
+            }
+
+            foreach (var finding in ToolpathCheck.Findings(shape.Path, new Toolpath(default, pass), tolerances, sourceOf)) yield return finding;
+        }
+    }
+
+    /// <summary>The fault of a list of depths; null when they are those of the operation: equal steps to the depth that is left for the last pass, as few as
+    /// the depth of a pass allows, and then the depth itself as often as it is repeated.</summary>
+    private static string? DepthFault(Operation operation, List<double> depths)
+    {
+        var (final, repeated) = (operation.Depth ?? 0.0, operation.Finish > 0.0 ? operation.Repeats : operation.Repeats - 1);
+        var count = depths.Count - repeated;
+        if (count < 1 || depths.Skip(count).Any(depth => !Is(depth, final))) return "passes";
+        var (whole, step) = (final - operation.Finish - operation.StartDepth, operation.DepthPerPass ?? double.PositiveInfinity);
+        if (operation.Depth is null) return depths.All(depth => depth == 0.0) ? null : "depth";
+        if (whole / count > step + DepthRounding || (count > 1 && whole / (count - 1) <= step - DepthRounding)) return "passes";
+        for (var pass = 0; pass < count; pass++)
+        {
+            var before = pass == 0 ? operation.StartDepth : depths[pass - 1];
+            if (!Is(depths[pass] - before, whole / count)) return "depth";
+        }
+
+        return null;
+
+        static bool Is(double depth, double wanted) => Math.Abs(depth - wanted) <= DepthRounding;
+    }
+
+    /// <summary>True when a closed stroke of a profile has its wall on the other side than stated: by its turns, and by the strokes around it.</summary>
+    private static bool DirectionFault(Operation operation, ToolpathStroke stroke, List<ToolpathStroke> pass)
+    {
+        if (operation is not { Kind: OperationKind.Profile, Direction: not CutDirection.Any, Side: ProfileSide.Nesting or ProfileSide.Outside or ProfileSide.Inside } || !stroke.Closed) return false;
+        var around = pass.Count(other => !ReferenceEquals(other, stroke) && other.Closed && Turns(other, stroke.Start) != 0);
+        var isOutside = operation.Side == ProfileSide.Outside || (operation.Side == ProfileSide.Nesting && around % 2 == 0);
+        var isClockwise = Total(stroke) < 0.0;
+        return isClockwise != (isOutside == (operation.Direction == CutDirection.Climb));
+    }
+
+    /// <summary>Sum of the turns of the tangent, degrees: 360 counter-clockwise, -360 clockwise.</summary>
+    private static double Total(ToolpathStroke stroke)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < stroke.Moves.Count; i++)
+        {
+            var (move, next) = (stroke.Moves[i].Segment, stroke.Moves[(i + 1) % stroke.Moves.Count].Segment);
+            if (move.Kind is SegmentKind.Arc or SegmentKind.Circle) sum += move.Arc.Sweep.Degrees;
+            sum += move.EndTangent.TurnTo(next.StartTangent).Degrees;
+        }
+
+        return sum;
+    }
+
+    /// <summary>Number of turns of a stroke around a place.</summary>
+    private static int Turns(ToolpathStroke stroke, Point2D place)
+    {
+        const int chords = 32;
+        var sum = 0.0;
+        foreach (var segment in stroke.Moves.Select(move => move.Segment))
+        {
+            var count = segment.Kind == SegmentKind.Line ? 1 : chords;
+            for (var i = 0; i < count; i++) sum += (segment.PointAt((double)i / count) - place).TurnTo(segment.PointAt((i + 1.0) / count) - place).Degrees;
+        }
+
+        return (int)Math.Round(sum / 360.0);
+    }
+
+    /// <summary>Each hole once, straight down to its depth.</summary>
+    private static IEnumerable<Diagnostic> DrillFindings(ShapedOperation shape, List<List<ToolpathStroke>> passes)
+    {
+        var wanted = Enumerable.Range(0, shape.Path.Count).Select(row => shape.Path[row].StartPoint).ToHashSet();
+        foreach (var pass in passes)
+        {
+            var left = new HashSet<Point2D>(wanted);
+            foreach (var hole in pass)
+            {
+                if (!left.Remove(hole.Start)) yield return NotAsStated(shape, "hole", hole.Start);
+                if (hole.Moves.Any(move => move.Segment.Start != hole.Start || move.Segment.End != hole.Start)) yield return NotAsStated(shape, "hole", hole.Start);
+                if (Math.Abs(hole.Moves.Min(move => Math.Min(move.StartZ, move.EndZ)) + shape.Operation.Depth!.Value) > DepthRounding) yield return NotAsStated(shape, "depth", hole.Start);
+            }
+
+            foreach (var missing in left) yield return NotAsStated(shape, "hole", missing);
+        }
+
+        if (wanted.Count > 0 && passes.Count != shape.Operation.Repeats) yield return NotAsStated(shape, "passes", default);
+    }
+
+    private static Diagnostic NotAsStated(ShapedOperation shape, string what, Point2D place) =>
+        OperationRules.NotAsStated.At(default, shape.Operation.Title, Wording.Get("OperationCheck." + what), FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place };
+}

@@ -1,0 +1,250 @@
+using System.Globalization;
+using System.Text.Json;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>An operations file: a JSON object with the operations in their order and the tools, or the name of a tool library. Comments and trailing commas are
+/// allowed; unknown fields are errors.</summary>
+public static class OperationFile
+{
+    internal const string Version = "1.0";
+    private const double LargestLength = 1e4;
+    private const double LargestSpeed = 1e6;
+
+    /// <summary>Maximum number of passes or pecks of an operation.</summary>
+    private const int MostPasses = 1000;
+
+    private static readonly JsonDocumentOptions s_options = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, AllowDuplicateProperties = false };
+    private static readonly string[] s_fileFields = ["version", "tools", "materials", "material", "operations"];
+    private static readonly string[] s_libraryFields = ["version", "tools", "materials"];
+    private static readonly string[] s_toolFields = ["number", "name", "kind", "diameter", "angle", "flutes", "maxDepth", "feed", "plunge", "spindle"];
+    private static readonly string[] s_materialFields = ["name", "feeds"];
+    private static readonly string[] s_feedFields = ["tool", "feed", "plunge", "spindle"];
+    private static readonly string[] s_selectFields = ["layers", "colours", "handles"];
+
+    private static readonly string[] s_operationFields =
+    [
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
+        "side", "stepover", "zigzag", "angle", "peck", "maxDiameter",
+    ];
+
+    /// <summary>Reads a file. Every error is a diagnostic with its line.</summary>
+    /// <param name="library">Reads the tool library that the file names: its text, or why it cannot be read.</param>
+    public static OperationReadResult Read(string json, Func<string, (string? Json, string Failure)> library)
+    {
+        ArgumentNullException.ThrowIfNull(library);
+        var findings = new List<Diagnostic>();
+        using var document = Parse(json, "", findings);
+        if (document is null) return new OperationReadResult(null, findings);
+        var lines = JsonFields.Read(json);
+        var file = new OperationFields(document.RootElement, "", lines, s_fileFields, findings);
+        if (file.Required("version") is { } version && version.ToString() != Version) file.Invalid("version", OperationFields.Shown(version), Version);
+        var tools = ToolsOf(file, lines, library, findings);
+        var operations = ListOf(file, "operations").Select((value, index) => OperationOf(value, $"operations[{index}]", tools, lines, findings)).ToList();
+        AddRepeatedIds(operations, file);
+        if (operations.Count == 0 && findings.Count == 0) file.Invalid("operations", "[]", Wording.Get("OperationFile.AtLeastOne"));
+        return findings.Any(finding => finding.Severity == Severity.Error) ? new OperationReadResult(null, findings) : new OperationReadResult(new OperationPlan([.. operations.Select(operation => operation!)], tools), findings);
+    }
+
+    /// <summary>Reads the text of a plan (<see cref="OperationPlan.ToString"/>).</summary>
+    /// <exception cref="FormatException">It is not the text of a plan.</exception>
+    public static OperationPlan Parse(string text)
+    {
+        var read = Read(text, name => (null, name));
+        return read.Plan ?? throw new FormatException(read.Diagnostics[0].Message);
+    }
+
+    private static JsonDocument? Parse(string json, string of, List<Diagnostic> findings)
+    {
+        try
+        {
+            return JsonDocument.Parse(json, s_options);
+        }
+        catch (JsonException broken)
+        {
+            var line = (broken.LineNumber ?? 0) + 1;
+            findings.Add(OperationRules.Unreadable.At(new SourceRef(line), of + Wording.Get("MachineProfileFile.NotJson", line)));
+            return null;
+        }
+    }
+
+    private static IEnumerable<JsonElement> ListOf(OperationFields of, string name)
+    {
+        if (of.Required(name) is not { } list) return [];
+        if (list.ValueKind == JsonValueKind.Array) return list.EnumerateArray();
+        of.Invalid(of.PathOf(name), OperationFields.Shown(list), Wording.Get("OperationFile.List"));
+        return [];
+    }
+
+    /// <summary>The tools of the file, or of the library that it names, with the feeds of the chosen material.</summary>
+    private static IReadOnlyList<CuttingTool> ToolsOf(OperationFields file, JsonFields lines, Func<string, (string? Json, string Failure)> library, List<Diagnostic> findings)
+    {
+        if (file.Required("tools") is not { } tools) return [];
+        var material = file.Text("material");
+        if (tools.ValueKind != JsonValueKind.String) return WithMaterial(ToolsIn(file, lines, findings), file, lines, material, file, findings);
+        var name = tools.GetString()!;
+        var (text, failure) = library(name);
+        if (text is null)
+        {
+            file.Invalid("tools", name, failure);
+            return [];
+        }
+
+        var found = new List<Diagnostic>();
+        using var document = Parse(text, "", found);
+        if (document is not null)
+        {
+            var inLibrary = JsonFields.Read(text);
+            var root = new OperationFields(document.RootElement, "", inLibrary, s_libraryFields, found);
+            var read = WithMaterial(ToolsIn(root, inLibrary, found), root, inLibrary, material, file, found);
+            if (found.Count == 0) return read;
+        }
+
+        findings.AddRange(found.Select(finding => OperationRules.Unreadable.At(new SourceRef(lines.LineOf("tools")), string.Create(CultureInfo.InvariantCulture, $"{name}({finding.Source.Line}): {finding.Message.TrimEnd('.')}"))));
+        return [];
+    }
+
+    private static List<CuttingTool> ToolsIn(OperationFields root, JsonFields lines, List<Diagnostic> findings)
+    {
+        List<CuttingTool> tools = [.. ListOf(root, "tools").Select((value, index) => ToolOf(new OperationFields(value, $"tools[{index}]", lines, s_toolFields, findings)))];
+        foreach (var twice in tools.GroupBy(tool => tool.Number).Where(group => group.Count() > 1)) root.Invalid("tools", FactText.Of(twice.Key), Wording.Get("OperationFile.UniqueNumber"));
+        return tools;
+    }
+
+    private static CuttingTool ToolOf(OperationFields of)
+    {
+        of.Required("number");
+        of.Required("diameter");
+        return new CuttingTool(of.Whole("number", 1, 9999) ?? 0, of.Number("diameter", 0.0, 1e3, includesLowest: false) ?? 1.0)
+        {
+            Name = of.Text("name") ?? "",
+            Kind = of.Choice<ToolKind>("kind") ?? ToolKind.Endmill,
+            AngleDegrees = of.Number("angle", 0.0, 180.0, includesLowest: false),
+            Flutes = of.Whole("flutes", 1, 99),
+            MaxDepth = of.Number("maxDepth", 0.0, LargestLength, includesLowest: false),
+            Feed = Speed(of, "feed"),
+            Plunge = Speed(of, "plunge"),
+            Spindle = Speed(of, "spindle"),
+        };
+    }
+
+    /// <summary>The tools with the feeds that the library states for a material.</summary>
+    private static IReadOnlyList<CuttingTool> WithMaterial(List<CuttingTool> tools, OperationFields library, JsonFields lines, string? material, OperationFields file, List<Diagnostic> findings)
+    {
+        var materials = library.Has("materials") ? ListOf(library, "materials").Select((value, index) => (Value: value, Path: $"materials[{index}]")).Select(entry => MaterialOf(new OperationFields(entry.Value, entry.Path, lines, s_materialFields, findings), entry.Path, lines, findings)).ToList() : [];
+        if (material is null) return tools;
+        if (materials.FirstOrDefault(entry => entry.Name == material) is not { Name: not null } chosen)
+        {
+            file.Invalid("material", material, string.Join(", ", materials.Select(entry => entry.Name)) is { Length: > 0 } names ? names : Wording.Get("OperationFile.NoMaterials"));
+            return tools;
+        }
+
+        return [.. tools.Select(tool => chosen.Feeds.FirstOrDefault(feed => feed.Tool == tool.Number) is { Tool: > 0 } feed ? tool with { Feed = feed.Feed ?? tool.Feed, Plunge = feed.Plunge ?? tool.Plunge, Spindle = feed.Spindle ?? tool.Spindle } : tool)];
+    }
+
+    private static (string? Name, List<ToolFeed> Feeds) MaterialOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
+    {
+        of.Required("name");
+        return (of.Text("name"), [.. ListOf(of, "feeds").Select((value, index) => new OperationFields(value, $"{path}.feeds[{index}]", lines, s_feedFields, findings)).Select(feed =>
+        {
+            feed.Required("tool");
+            return new ToolFeed(feed.Whole("tool", 1, 9999) ?? 0, Speed(feed, "feed"), Speed(feed, "plunge"), Speed(feed, "spindle"));
+        })]);
+    }
+
+    private static double? Speed(OperationFields of, string name) => of.Number(name, 0.0, LargestSpeed, includesLowest: false);
+
+    private static Operation? OperationOf(JsonElement value, string path, IReadOnlyList<CuttingTool> tools, JsonFields lines, List<Diagnostic> findings)
+    {
+        var before = findings.Count;
+        var of = new OperationFields(value, path, lines, s_operationFields, findings);
+        foreach (var name in (string[])["id", "kind", "select", "tool"]) of.Required(name);
+        var operation = new Operation
+        {
+            Id = of.Text("id") ?? "",
+            Name = of.Text("name") ?? "",
+            IsOn = of.Switch("on", true),
+            Kind = of.Choice<OperationKind>("kind") ?? OperationKind.Engrave,
+            Select = SelectionOf(of, path, lines, findings),
+            Tool = of.Whole("tool", 1, 9999) ?? 0,
+            Feed = Speed(of, "feed"),
+            Plunge = Speed(of, "plunge"),
+            Spindle = Speed(of, "spindle"),
+            StartDepth = of.Number("startDepth", 0.0, LargestLength, includesLowest: true) ?? 0.0,
+            Depth = of.Number("depth", 0.0, LargestLength, includesLowest: false),
+            DepthPerPass = of.Number("depthPerPass", 0.0, LargestLength, includesLowest: false),
+            Finish = of.Number("finish", 0.0, LargestLength, includesLowest: true) ?? 0.0,
+            Stock = of.Number("stock", 0.0, 1e3, includesLowest: true) ?? 0.0,
+            Repeats = of.Whole("repeats", 1, 1000) ?? 1,
+            Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
+            Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
+            Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,
+            Stepover = of.Number("stepover", 0.0, 0.99, includesLowest: false) ?? 0.4,
+            IsZigzag = of.Switch("zigzag", false),
+            AngleDegrees = of.Number("angle", -360.0, 360.0, includesLowest: true) ?? 0.0,
+            Peck = of.Number("peck", 0.0, LargestLength, includesLowest: false),
+            MaxDiameter = of.Number("maxDiameter", 0.0, LargestLength, includesLowest: false),
+        };
+        if (findings.Count > before) return null;
+        AddContradictions(of, operation, tools);
+        return operation;
+    }
+
+    /// <summary>Fields that contradict each other, and fields without effect on the kind.</summary>
+    private static void AddContradictions(OperationFields of, Operation operation, IReadOnlyList<CuttingTool> tools)
+    {
+        if (operation.Id.Length == 0) of.Invalid(of.PathOf("id"), "", Wording.Get("OperationFile.NotEmpty"));
+        if (!tools.Any(tool => tool.Number == operation.Tool)) of.Invalid(of.PathOf("tool"), FactText.Of(operation.Tool), string.Join(", ", tools.Select(tool => FactText.Of(tool.Number))));
+        if (operation.Depth is { } depth && depth - operation.Finish <= operation.StartDepth) of.Invalid(of.PathOf("depth"), FactText.Of(depth), Wording.Get("OperationFile.DeeperThan", FactText.Of(operation.StartDepth + operation.Finish)));
+        foreach (var field in (string[])["depthPerPass", "peck"])
+        {
+            if (of.Find(field) is { } step && operation.Depth is { } whole && (whole - operation.StartDepth) / step.GetDouble() > MostPasses) of.Invalid(of.PathOf(field), OperationFields.Shown(step), Wording.Get("OperationFile.TooManyPasses", MostPasses));
+        }
+
+        foreach (var (field, kinds) in s_fieldsOfKinds)
+        {
+            if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
+        }
+
+        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck"])
+        {
+            if (of.Has(field) && operation.Depth is null) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
+        }
+    }
+
+    private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
+    [
+        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
+        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket]), ("peck", [OperationKind.Drill]), ("maxDiameter", [OperationKind.Drill]),
+        ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]),
+    ];
+
+    private static OperationSelection SelectionOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
+    {
+        if (of.Find("select") is not { } select) return OperationSelection.Rest;
+        if (select.ValueKind == JsonValueKind.String)
+        {
+            if (select.GetString() != "rest") of.Invalid(of.PathOf("select"), OperationFields.Shown(select), Wording.Get("OperationFile.Select"));
+            return OperationSelection.Rest;
+        }
+
+        var fields = new OperationFields(select, $"{path}.select", lines, s_selectFields, findings);
+        var named = new OperationSelection
+        {
+            Layers = fields.Texts("layers", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
+            Colours = fields.Texts("colours", OperationSelection.IsColour, Wording.Get("OperationFile.Colour")),
+            Handles = fields.Texts("handles", OperationSelection.IsHandle, Wording.Get("OperationFile.Handle")),
+        };
+        if (select.ValueKind == JsonValueKind.Object && named.Layers.Count + named.Colours.Count + named.Handles.Count == 0) of.Invalid(of.PathOf("select"), OperationFields.Shown(select), Wording.Get("OperationFile.Select"));
+        return named;
+    }
+
+    private static void AddRepeatedIds(IEnumerable<Operation?> operations, OperationFields file)
+    {
+        foreach (var twice in operations.OfType<Operation>().GroupBy(operation => operation.Id).Where(group => group.Count() > 1)) file.Invalid("operations", twice.Key, Wording.Get("OperationFile.UniqueId"));
+    }
+
+    /// <summary>The feeds of a tool in a material.</summary>
+    private readonly record struct ToolFeed(int Tool, double? Feed, double? Plunge, double? Spindle);
+}

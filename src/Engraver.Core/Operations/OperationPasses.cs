@@ -1,0 +1,104 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Ordering;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>The strokes of the operations at the depths of their passes.</summary>
+/// <param name="Sequence">Every pass is a stroke; heights are those of the tool.</param>
+/// <param name="Strokes">Operation and pass of each stroke.</param>
+public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<StrokePass> Strokes)
+{
+    /// <param name="ordered">In the order of the operations.</param>
+    /// <param name="drawn">The drawing as contours, for its discontinuities.</param>
+    /// <param name="options">Start of the tool.</param>
+    public static OperationPasses Of(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, Drawing drawing, SequencingOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(ordered);
+        ArgumentNullException.ThrowIfNull(drawn);
+        ArgumentNullException.ThrowIfNull(options);
+        var (table, cuts) = (new EntityTable(), new List<(OrderedStroke Stroke, int Rows, StrokePass Pass)>());
+        foreach (var operation in ordered)
+        {
+            var depths = operation.Shape.Operation.PassDepths();
+            foreach (var (stroke, pass) in InOrder(operation, depths.Count))
+            {
+                var rows = Append(table, operation, operation.Strokes[stroke], depths[pass]);
+                cuts.Add((operation.Strokes[stroke], rows, new StrokePass(operation.Shape.Operation, stroke, pass, depths[pass])));
+            }
+        }
+
+        var places = cuts.Select((cut, index) => (cut.Pass.Operation, cut.Pass.Stroke, cut.Pass.Pass, index)).ToDictionary(cut => (cut.Operation.Id, cut.Stroke, cut.Pass), cut => cut.index);
+        var (strokes, curves) = (new StrokeList(table, cuts.Count), new CurveCount(drawing));
+        foreach (var (stroke, rows, pass) in cuts) strokes.Add(stroke.Closed, rows, stroke.Inside < 0 ? -1 : places[(pass.Operation.Id, stroke.Inside, pass.Pass)], curves);
+        return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]);
+    }
+
+    /// <summary>The strokes and passes in the order of cutting. A hole is drilled in one stroke, pecks included.</summary>
+    private static IEnumerable<(int Stroke, int Pass)> InOrder(OrderedOperation operation, int passes)
+    {
+        var strokes = operation.Strokes.Count;
+        return operation.Shape.Operation.Order == PassOrder.Level
+            ? Enumerable.Range(0, passes * strokes).Select(step => (step % strokes, step / strokes))
+            : Enumerable.Range(0, passes * strokes).Select(step => (step / passes, step % passes));
+    }
+
+    /// <returns>Number of rows.</returns>
+    private static int Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)
+    {
+        var before = table.Count;
+        if (operation.Shape.Operation.Kind == OperationKind.Drill)
+        {
+            foreach (var (from, to) in DrillMoves(operation.Shape.Operation, depth)) AppendRow(table, operation.Path, stroke.FirstRow, -from, -to);
+        }
+        else
+        {
+            for (var row = stroke.FirstRow; row < stroke.FirstRow + stroke.Rows; row++) AppendRow(table, operation.Path, row, -depth, -depth);
+        }
+
+        return table.Count - before;
+    }
+
+    /// <summary>Depths between which the tool moves straight up and down, after it has plunged to the surface.</summary>
+    private static IEnumerable<(double From, double To)> DrillMoves(Operation operation, double depth)
+    {
+        var (top, reached) = (operation.StartDepth, operation.StartDepth);
+        var count = operation.Peck is { } peck ? (int)Math.Ceiling((depth - top) / peck * (1.0 - 1e-12)) : 1;
+        for (var i = 1; i <= count; i++)
+        {
+            var next = i == count ? depth : top + ((depth - top) * i / count);
+            if (reached > top) yield return (reached, top);
+            yield return (top, next);
+            reached = next;
+        }
+    }
+
+    private static void AppendRow(EntityTable table, EntityTable from, int row, double start, double end)
+    {
+        var slots = OperationRows.AtHeight(from.CopySlots(row), start, end);
+        slots[EntitySlot.SequenceNumber] = table.Count + 1;
+        table.Append(slots, from.EntityIndexOf(row), from.CurveOf(row));
+    }
+
+    private static SequencingResult ResultOf(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, EntityTable table, StrokeList strokes, SequencingOptions options)
+    {
+        var travel = TravelDistance.Through(options.ToolStart, strokes);
+        return new SequencingResult
+        {
+            Strokes = strokes,
+            Discontinuities = new OpenEndList(drawn, options),
+            Table = table,
+            Segments = strokes.Sum(stroke => stroke.Segments),
+            Reversed = ordered.Sum(operation => operation.Reversed),
+            DuplicatesRemoved = ordered.Sum(operation => operation.DuplicatesRemoved),
+            PathLength = strokes.Sum(stroke => stroke.Length),
+            Travel = travel,
+            TravelAndBack = travel + (strokes.Count == 0 ? 0.0 : strokes[^1].End.DistanceTo(options.ToolStart)),
+            TravelAsDrawn = TravelDistance.AsDrawn(options.ToolStart, drawn.Analysed),
+            Diagnostics = [.. ordered.SelectMany(operation => operation.Diagnostics).DistinctBy(finding => (finding.Rule, finding.Source, finding.Sentence))],
+        };
+    }
+}

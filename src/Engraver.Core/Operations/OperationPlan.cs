@@ -1,0 +1,56 @@
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>The operations of a job in their order, and the tools that they name. Immutable; two plans are equal when their texts are.</summary>
+public sealed class OperationPlan : IEquatable<OperationPlan>
+{
+    private readonly string _text;
+
+    /// <param name="operations">Ids are unique; every tool is in <paramref name="tools"/>.</param>
+    internal OperationPlan(IReadOnlyList<Operation> operations, IReadOnlyList<CuttingTool> tools)
+    {
+        (Operations, Tools) = (operations, tools);
+        _text = OperationText.Write(this);
+    }
+
+    public IReadOnlyList<Operation> Operations { get; }
+
+    /// <summary>The tools of the library, with the feeds of the chosen material.</summary>
+    public IReadOnlyList<CuttingTool> Tools { get; }
+
+    /// <summary>The operations that are run.</summary>
+    /// <param name="tool">Number of the tool of the job; 0: every tool.</param>
+    public IEnumerable<Operation> Active(int tool) => Operations.Where(operation => operation.IsOn && (tool == 0 || operation.Tool == tool));
+
+    public CuttingTool ToolOf(Operation operation) => Tools.First(tool => tool.Number == operation.Tool);
+
+    /// <summary>Cutting speed of an operation on a machine, mm/min.</summary>
+    public double FeedOf(Operation operation, MachineProfile machine) => operation.Feed ?? ToolOf(operation).Feed ?? machine.FeedMmPerMinute;
+
+    /// <summary>Speed straight down, mm/min; null on a machine without a tool axis.</summary>
+    public double? PlungeOf(Operation operation, MachineProfile machine) => machine.Height is { } drive ? operation.Plunge ?? ToolOf(operation).Plunge ?? drive.PlungeMmPerMinute : null;
+
+    /// <summary>Turns per minute; null where neither operation nor tool states it.</summary>
+    public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
+
+    /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its profile. Applied to
+    /// its own result, it changes nothing.</summary>
+    /// <param name="tool">As for <see cref="Active"/>.</param>
+    public MachineProfile Applied(MachineProfile machine, int tool)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        if (machine.Height is not { } drive) return machine;
+        var plunge = Active(tool).Select(operation => PlungeOf(operation, machine)!.Value).DefaultIfEmpty(drive.PlungeMmPerMinute).Min();
+        return machine with { Height = drive with { CutDepth = 0.0, DepthPerPass = null, PlungeMmPerMinute = plunge } };
+    }
+
+    public bool Equals(OperationPlan? other) => other is not null && other._text == _text;
+
+    public override bool Equals(object? obj) => Equals(obj as OperationPlan);
+
+    public override int GetHashCode() => _text.GetHashCode(StringComparison.Ordinal);
+
+    /// <summary>The plan as the text of an operations file, tools included.</summary>
+    public override string ToString() => _text;
+}

@@ -1,0 +1,117 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
+using Engraver.Core.Offsets;
+using Engraver.Core.Pockets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>Makes the path of the tool's centre from the curves of an operation.</summary>
+/// <param name="drawing">The drawing of the entity indices.</param>
+/// <param name="options">How curves are joined to contours.</param>
+/// <param name="maxErrorMm">Largest distance of the arcs that approximate an ellipse or spline.</param>
+public sealed class OperationShaper(Drawing drawing, SequencingOptions options, double maxErrorMm)
+{
+    public ShapedOperation Shape(OperationPart part)
+    {
+        ArgumentNullException.ThrowIfNull(part);
+        return part.Operation.Kind switch
+        {
+            OperationKind.Profile => Profile(part),
+            OperationKind.Pocket => Pocket(part),
+            OperationKind.Drill => Drill(part),
+            _ => new ShapedOperation(part, AtHeight(part.Table), null),
+        };
+    }
+
+    /// <summary>The drawn heights do not count.</summary>
+    private static EntityTable AtHeight(EntityTable table)
+    {
+        var flat = new EntityTable();
+        for (var row = 0; row < table.Count; row++) flat.Append(OperationRows.AtHeight(table.CopySlots(row), 0.0, 0.0), table.EntityIndexOf(row), table.CurveOf(row));
+        return flat;
+    }
+
+    private ShapedOperation Profile(OperationPart part)
+    {
+        var (operation, chained) = (part.Operation, Sequencer.Chain(AtHeight(part.Table), drawing, options));
+        var side = operation.Side switch { ProfileSide.Outside => KerfSide.Outside, ProfileSide.Inside => KerfSide.Inside, ProfileSide.Left => KerfSide.Left, ProfileSide.Right => KerfSide.Right, _ => KerfSide.Nesting };
+        var kerf = KerfCompensation.Compensate(chained, new KerfOptions(side, part.Tool.Diameter + (2.0 * operation.Stock), maxErrorMm, options.JoinTolerance, CutsHeights: false));
+        var faults = kerf.Diagnostics.Where(finding => finding.Severity == Severity.Error).ToList();
+        if (kerf.HasOpenContours) faults.AddRange(chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour)));
+        return new ShapedOperation(part, kerf.Table, null) { Findings = [.. chained.Diagnostics, .. kerf.Diagnostics.Where(finding => finding.Severity != Severity.Error && finding.Rule != KerfRules.OpenOnLine)], Faults = faults, Uncut = kerf.Uncut };
+    }
+
+    private ShapedOperation Pocket(OperationPart part)
+    {
+        var (operation, chained) = (part.Operation, Sequencer.Chain(AtHeight(part.Table), drawing, options));
+        var pocket = new PocketOptions
+        {
+            ToolRadius = part.Tool.Diameter / 2.0,
+            Stepover = operation.Stepover,
+            Strategy = operation.IsZigzag ? PocketStrategy.Zigzag : PocketStrategy.Contour,
+            Angle = Angle.FromDegrees(operation.AngleDegrees),
+            FromCentre = true,
+            Allowance = 0.0,
+            MaxErrorMm = maxErrorMm,
+            JoinToleranceMm = options.JoinTolerance,
+        };
+        var result = PocketPlanner.Plan(Reduced(DrawnContours.From(chained), operation.Stock), pocket);
+        var (path, strokes, entities) = (new EntityTable(), new List<int>(), new NearestEntity(chained.Kept));
+        foreach (var stroke in result.Strokes)
+        {
+            foreach (var move in stroke.Moves) path.Append(EntitySlots.Of(move.Segment, 0.0), entities.Of(move.Segment.Start), null);
+            strokes.Add(stroke.Moves.Count);
+        }
+
+        var findings = PocketFindings.Of(result, pocket).ToLookup(finding => finding.Severity == Severity.Error);
+        return new ShapedOperation(part, path, strokes)
+        {
+            Findings = [.. chained.Diagnostics, .. findings[false].Where(finding => finding.Rule != PocketRules.WithoutInside)],
+            Faults = [.. findings[true], .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
+        };
+    }
+
+    /// <summary>The contours without the material that is left at their walls.</summary>
+    private IReadOnlyList<OffsetContour> Reduced(IReadOnlyList<OffsetContour> drawn, double stock) => stock == 0.0
+        ? drawn
+        : [.. ContourOffset.Offset([.. drawn.Where(contour => contour.Closed)], stock, OffsetSide.In, OffsetOptions.Round(maxErrorMm)).Loops.Select(loop => new OffsetContour(loop.Segments, true))];
+
+    /// <summary>One row without length at the centre of each circle; a circle that is drawn twice is drilled once.</summary>
+    private ShapedOperation Drill(OperationPart part)
+    {
+        var (path, other, centres) = (new EntityTable(), new List<int>(), new HashSet<Point2D>());
+        for (var row = 0; row < part.Table.Count; row++)
+        {
+            var segment = part.Table[row].ToSegment();
+            if (segment.Kind != SegmentKind.Circle || 2.0 * segment.Arc.Radius > part.Operation.MaxDiameter) other.Add(row);
+            else if (centres.Add(segment.Arc.Centre)) path.Append(EntitySlots.Of(Segment.FromLine(segment.Arc.Centre, segment.Arc.Centre), 0.0), part.Table.EntityIndexOf(row), null);
+        }
+
+        var first = other.Count > 0 ? part.Table[other[0]].StartPoint : default;
+        return new ShapedOperation(part, path, [.. Enumerable.Repeat(1, path.Count)])
+        {
+            Findings = other.Count == 0 ? [] : [OperationRules.NotDrilled.At(drawing.SourceOf(part.Table.EntityIndexOf(other[0])), part.Operation.Title, FactText.Of(other.Count), FactText.Of(first.X), FactText.Of(first.Y)) with { Place = first }],
+        };
+    }
+
+    private Diagnostic OpenContour(Operation operation, ChainedTable chained, Contour contour)
+    {
+        var row = contour.Pieces.Span[0].Row;
+        var place = contour.StartIn(chained.Segments.Span);
+        return OperationRules.OpenContour.At(drawing.SourceOf(chained.Kept.EntityIndexOf(row)), operation.Title, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place };
+    }
+
+    /// <summary>The entity that is nearest to a place.</summary>
+    private sealed class NearestEntity(EntityTable table)
+    {
+        private readonly Segment[] _segments = table.ToSegments();
+        private readonly BoxTree _boxes = BoxTree.Build([.. table.ToSegments().Select(segment => segment.Bounds)]);
+
+        public int Of(Point2D place) => table.EntityIndexOf(Math.Max(0, _boxes.Nearest(place, (row, at) => _segments[row].DistanceTo(at), double.PositiveInfinity, out _)));
+    }
+}

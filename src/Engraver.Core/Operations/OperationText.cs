@@ -1,0 +1,104 @@
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace Engraver.Core.Operations;
+
+/// <summary>Writes a plan as the text of an operations file, in one line: journals, certificates and histories keep it.</summary>
+internal static class OperationText
+{
+    /// <summary>Every operation, and every tool that one of them names.</summary>
+    public static string Write(OperationPlan plan)
+    {
+        using var memory = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(memory, new JsonWriterOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        {
+            writer.WriteStartObject();
+            writer.WriteString("version", OperationFile.Version);
+            writer.WriteStartArray("tools");
+            foreach (var tool in plan.Tools.Where(tool => plan.Operations.Any(operation => operation.Tool == tool.Number))) Write(writer, tool);
+            writer.WriteEndArray();
+            writer.WriteStartArray("operations");
+            foreach (var operation in plan.Operations) Write(writer, operation);
+            writer.WriteEndArray();
+            writer.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(memory.ToArray());
+    }
+
+    private static void Write(Utf8JsonWriter writer, CuttingTool tool)
+    {
+        writer.WriteStartObject();
+        writer.WriteNumber("number", tool.Number);
+        if (tool.Name.Length > 0) writer.WriteString("name", tool.Name);
+        writer.WriteString("kind", OperationFields.WordOf(tool.Kind));
+        writer.WriteNumber("diameter", tool.Diameter);
+        WriteNumber(writer, "angle", tool.AngleDegrees);
+        WriteNumber(writer, "flutes", tool.Flutes);
+        WriteNumber(writer, "maxDepth", tool.MaxDepth);
+        WriteNumber(writer, "feed", tool.Feed);
+        WriteNumber(writer, "plunge", tool.Plunge);
+        WriteNumber(writer, "spindle", tool.Spindle);
+        writer.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter writer, Operation operation)
+    {
+        writer.WriteStartObject();
+        writer.WriteString("id", operation.Id);
+        if (operation.Name.Length > 0) writer.WriteString("name", operation.Name);
+        if (!operation.IsOn) writer.WriteBoolean("on", false);
+        writer.WriteString("kind", OperationFields.WordOf(operation.Kind));
+        Write(writer, operation.Select);
+        writer.WriteNumber("tool", operation.Tool);
+        WriteNumber(writer, "feed", operation.Feed);
+        WriteNumber(writer, "plunge", operation.Plunge);
+        WriteNumber(writer, "spindle", operation.Spindle);
+        WriteNumber(writer, "startDepth", operation.StartDepth == 0.0 ? null : operation.StartDepth);
+        WriteNumber(writer, "depth", operation.Depth);
+        WriteNumber(writer, "depthPerPass", operation.DepthPerPass);
+        WriteNumber(writer, "finish", operation.Finish == 0.0 ? null : operation.Finish);
+        WriteNumber(writer, "stock", operation.Stock == 0.0 ? null : operation.Stock);
+        WriteNumber(writer, "repeats", operation.Repeats == 1 ? null : operation.Repeats);
+        if (operation.Direction != CutDirection.Any) writer.WriteString("direction", OperationFields.WordOf(operation.Direction));
+        if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
+        if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));
+        if (operation.Kind == OperationKind.Pocket) WritePocket(writer, operation);
+        WriteNumber(writer, "peck", operation.Peck);
+        WriteNumber(writer, "maxDiameter", operation.MaxDiameter);
+        writer.WriteEndObject();
+    }
+
+    private static void WritePocket(Utf8JsonWriter writer, Operation operation)
+    {
+        writer.WriteNumber("stepover", operation.Stepover);
+        writer.WriteBoolean("zigzag", operation.IsZigzag);
+        writer.WriteNumber("angle", operation.AngleDegrees);
+    }
+
+    private static void Write(Utf8JsonWriter writer, OperationSelection selection)
+    {
+        if (selection.IsRest)
+        {
+            writer.WriteString("select", "rest");
+            return;
+        }
+
+        writer.WriteStartObject("select");
+        foreach (var (name, texts) in ((string, IReadOnlyList<string>)[])[("layers", selection.Layers), ("colours", selection.Colours), ("handles", selection.Handles)])
+        {
+            if (texts.Count == 0) continue;
+            writer.WriteStartArray(name);
+            foreach (var text in texts) writer.WriteStringValue(text);
+            writer.WriteEndArray();
+        }
+
+        writer.WriteEndObject();
+    }
+
+    private static void WriteNumber(Utf8JsonWriter writer, string name, double? value)
+    {
+        if (value is { } number) writer.WriteNumber(name, number);
+    }
+}

@@ -1,0 +1,64 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Operations;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Ordering;
+using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
+
+namespace Engraver.Core.Tests.Operations;
+
+/// <summary>A drawing with its operations, through every step to the strokes.</summary>
+internal sealed class OperationJob
+{
+    public const double MaxError = 0.001;
+
+    private static readonly SequencingOptions s_options = new() { JoinTolerance = 0.01, DuplicateTolerance = MaxError, Order = StrokeOrder.Nearest };
+
+    private readonly Drawing _drawing;
+
+    /// <param name="operations">The entries of the list, as JSON. Tool 1 has a diameter of 2 mm, tool 2 of 1 mm.</param>
+    public OperationJob(Drawing drawing, string operations, MachineProfile? machine = null, int tool = 0)
+    {
+        _drawing = drawing;
+        var read = OperationFile.Read($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": 2, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}], "operations": [{{operations}}] }""", _ => (null, ""));
+        Assert.True(read.Plan is not null, string.Join('\n', read.Diagnostics.Select(finding => finding.Message)));
+        Plan = read.Plan;
+        var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
+        Assignment = OperationAssignment.Of(analysed, drawing, Plan, machine ?? new MachineProfile { Height = new HeightDrive() }, tool);
+        var shaper = new OperationShaper(drawing, s_options, MaxError);
+        Shapes = [.. Assignment.Parts.Select(shaper.Shape)];
+        Ordered = OperationOrder.Of(Shapes, drawing, s_options);
+        Passes = OperationPasses.Of(Ordered, Sequencer.Chain(analysed, drawing, s_options), drawing, s_options);
+        Path = ToolpathPlanner.Plan(Passes.Sequence, default, MaxError);
+    }
+
+    public OperationPlan Plan { get; }
+
+    public OperationAssignment Assignment { get; }
+
+    public IReadOnlyList<ShapedOperation> Shapes { get; }
+
+    public IReadOnlyList<OrderedOperation> Ordered { get; }
+
+    public OperationPasses Passes { get; }
+
+    public Toolpath Path { get; }
+
+    /// <summary>Ids of the findings of the check of a path.</summary>
+    public IReadOnlyList<string> CheckOf(Toolpath path) => [.. OperationCheck.Findings(Shapes, path, Passes.Strokes, new ToolpathTolerances(MaxError, 0.01, false), _drawing.SourceOf).Select(finding => finding.Id)];
+
+    /// <summary>Points of a stroke, at most a step apart.</summary>
+    public static IEnumerable<Point2D> PointsOf(ToolpathStroke stroke, double step) =>
+        stroke.Moves.SelectMany(move => Enumerable.Range(0, (int)Math.Ceiling(move.Segment.Length / step) + 1).Select(i => move.Segment.PointAt(Math.Min(1.0, i * step / Math.Max(move.Segment.Length, step)))));
+
+    /// <summary>Signed area of the polygon of some points, positive counter-clockwise.</summary>
+    public static double AreaOf(IReadOnlyList<Point2D> points)
+    {
+        var area = 0.0;
+        for (var i = 0; i < points.Count; i++) area += (points[i].X * points[(i + 1) % points.Count].Y) - (points[(i + 1) % points.Count].X * points[i].Y);
+        return area / 2.0;
+    }
+}
