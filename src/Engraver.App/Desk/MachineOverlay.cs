@@ -20,9 +20,9 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     public static MachineOverlay Of(PreparedJob? job, MachineSession machine, RunMeasure colour)
     {
         if (job is null) return new MachineOverlay(null, null, null, colour);
-        var frame = machine.Origins.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also of a job that would leave the travel: that is what is to be seen
+        var frame = machine.Origins.LastPlacement(new MotionProgram(job.Settings.CuttingMachine, default, []), dryRun: false)?.Frame; // also of a job that would leave the travel: that is what is to be seen
         var run = machine.Runs.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.DocumentDrawing) && (recorded.Job.Trajectories is not null || recorded.Job.Plate == job.Plate) ? recorded : null;
-        return new MachineOverlay(job, frame is { } zero ? job.Settings.Machine.Scale.ToMillimetres(zero.X, zero.Y) : null, run, colour);
+        return new MachineOverlay(job, frame is { } zero ? job.Settings.CuttingMachine.Scale.ToMillimetres(zero.X, zero.Y) : null, run, colour);
     }
 
     /// <summary>The inputs with the machine data added, in drawing units.</summary>
@@ -46,14 +46,14 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     }
 
     /// <summary>The travel of the profile in drawing units; null if an axis has none, or if the work origin is unknown.</summary>
-    private Bounds2D? EnvelopeOf(PreparedJob job, DrawingScale scale) => job.Settings.Machine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
+    private Bounds2D? EnvelopeOf(PreparedJob job, DrawingScale scale) => job.Settings.CuttingMachine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
         ? scale.ToDrawing(new Bounds2D(x.Min - zero.X, y.Min - zero.Y, x.Max - zero.X, y.Max - zero.Y))
         : null;
 
     /// <summary>Machine position after the last stroke, millimetres of the drawing.</summary>
     private Point2D? FinishOf(PreparedJob job)
     {
-        if (job.Motion.Program?.Finish is { } finish) return job.Settings.Machine.Scale.ToMillimetres(finish.X, finish.Y);
+        if (job.Motion.Program?.Finish is { } finish) return job.Settings.CuttingMachine.Scale.ToMillimetres(finish.X, finish.Y);
         return job.Settings is { Finish: FinishPlace.Park, Machine.Park: { } park } && Zero is { } zero ? new Point2D(park.X - zero.X, park.Y - zero.Y) : null;
     }
 }

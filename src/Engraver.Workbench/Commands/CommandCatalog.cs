@@ -40,7 +40,7 @@ public sealed class CommandCatalog
         new TextCommand(), new MTextCommand(), new TextEditCommand(), new StyleCommand(), new TextExplodeCommand(), new CncTextCommand(),
         new EraseCommand(), new MoveCommand(), new CopyCommand(), new GripEditCommand(), new ChPropCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
         .. TrimCommand.All, .. FilletCommand.All, new BreakCommand(), new StretchCommand(), new MatchPropertiesCommand(),
-        new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
+        new PocketCommand(), new OperationCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new SacePathCommand(), new SaceOffsetCommand(), new SaceUniformOffsetCommand(), new SaceConstantOffsetsCommand(), new SaceDeepEngravingCommand(), new SaceHelicalDrillCommand(), .. SaceLengthCommand.All, new SaceToggleDensityCommand(), new SaceCornersCommand(),
         new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceUpdateTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),

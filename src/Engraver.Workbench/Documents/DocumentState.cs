@@ -31,7 +31,7 @@ public sealed record DocumentState
     public DrawingSettings Settings { get; init; } = new();
 
     /// <summary>The settings with which the next drawing is opened: without those that belong to this one.</summary>
-    public DrawingSettings SettingsOfNext => Settings with { Enter = null, Layers = null, SkippedLayers = [], Cut = CutsTexts ? Settings.Cut & ~CutChoice.Text : Settings.Cut };
+    public DrawingSettings SettingsOfNext => Settings with { Enter = null, Layers = null, SkippedLayers = [], Operations = null, Tool = 0, Cut = CutsTexts ? Settings.Cut & ~CutChoice.Text : Settings.Cut };
 
     /// <summary>Name of the layer on which new objects are drawn (CLAYER). If the drawing has no such layer, layer 0 is used
     /// (<see cref="Documents.CurrentLayer"/>).</summary>

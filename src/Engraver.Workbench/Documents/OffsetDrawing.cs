@@ -25,7 +25,7 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static OffsetDrawing Create(Drawing drawing, DrawingSettings settings, double distance, OffsetSide side, OffsetOptions options)
     {
-        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off });
+        var job = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off, Operations = null });
         var chained = job.Chained;
         var contours = ContoursOf(chained);
         var result = ContourOffset.Offset(contours, distance, side, options);

@@ -45,7 +45,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = job.NoProgramReason };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { NoProgramReason = job.NoProgramReason };
-        var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
+        var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm });
         return Written(written, job.Diagnostics);
     }
 
@@ -55,11 +55,12 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
         var (drawing, settings, sequence) = (job.Drawing, job.Settings, job.Sequence);
+        if (settings.Operations is not null) return new PostedProgram(null, [.. drawing.Diagnostics, OperationRules.NotPosted.At(default, post.Name)]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.NotPosted.Id) };
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(job), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return CreateEmpty(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
         if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { NoProgramReason = PreparedJob.NotAsDrawn(faults) };
-        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.Machine, MaxErrorMm = settings.MaxErrorMm });
+        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.CuttingMachine, MaxErrorMm = settings.MaxErrorMm });
         return Written(written, found);
     }
 

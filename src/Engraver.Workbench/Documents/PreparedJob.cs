@@ -3,6 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.LetteredDrawings;
@@ -45,7 +46,16 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public DrawingSettings Recorded => (Trajectories?.Settings ?? Settings).AsOpened(DocumentDrawing);
 
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
-    public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
+    public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings), NotTaken);
+
+    /// <summary>Curves of the drawing that no operation takes, by entity.</summary>
+    public IReadOnlyList<int> NotTaken { get; init; } = [];
+
+    /// <summary>Operation and pass of each stroke; empty for a job without operations.</summary>
+    public IReadOnlyList<StrokePass> Passes { get; init; } = [];
+
+    /// <summary>The shapes of the operations; empty for a job without operations.</summary>
+    public IReadOnlyList<ShapedOperation> Shapes { get; init; } = [];
 
     /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), misplaced letters (VER0023) and fields without a value, which cannot be
     /// accepted; empty for every job that may be run or posted.</summary>
@@ -68,7 +78,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public static PreparedJob From(CheckedJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults, Fonts = job.Letters.Fonts };
+        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults, Fonts = job.Letters.Fonts, Passes = job.Passes, Shapes = job.Shapes, NotTaken = job.Assignment?.NotTaken ?? [] };
     }
 
     /// <summary>True if this is the job of a document: same drawing, settings and plate, or same trajectories if these are run.</summary>
@@ -81,7 +91,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     }
 
     /// <summary>Message about the faults of the toolpath or of the fields in texts, without a full stop.</summary>
-    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get(SerialRules.All.Contains(faults[0].Rule) ? "PreparedJob.FieldsNotFilled" : "PreparedJob.ToolpathDeviates", Ids(faults));
+    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get(SerialRules.All.Contains(faults[0].Rule) ? "PreparedJob.FieldsNotFilled" : faults[0].Rule is { } rule && rule != OperationRules.NotAsStated && (OperationRules.All.Contains(rule) || KerfRules.All.Contains(rule) || PocketRules.All.Contains(rule)) ? "PreparedJob.OperationsUnusable" : "PreparedJob.ToolpathDeviates", Ids(faults));
 
     /// <summary>Message that the cut layers have no curve, without a full stop.</summary>
     internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NothingToCut") : Wording.Get("PreparedJob.NothingToCutBecause", notCut.Clause);

@@ -55,7 +55,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         ArgumentNullException.ThrowIfNull(trajectories);
         var arcError = settings.Machine.Scale.Finer.LengthOf(CountShare);
         var rises = trajectories.Any(one => one.IsHelix);
-        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
+        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off, Operations = null };
         if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, StageOptions.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
         var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [WithHeight(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var job = JobPreparation.Prepare(splines, own, style);
@@ -88,7 +88,8 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     private static List<DocumentTrajectory> Planned(Drawing drawing, DrawingSettings settings, List<Diagnostic> findings)
     {
         var made = new List<DocumentTrajectory>();
-        var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        if (settings.Operations is not null) findings.Add(OperationRules.NotPosted.At(default, "trajectory"));
+        var ordered = JobPreparation.To<OrderedJob>(drawing, settings with { Operations = null });
         findings.AddRange([.. ordered.Findings, .. CheckStage.TextFaultsOf(ordered)]);
         if (CheckStage.TextFaultsOf(ordered).Count > 0) return made;
         findings.AddRange(ordered.Cut.Kerf?.Diagnostics ?? []);

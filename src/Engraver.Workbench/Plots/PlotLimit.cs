@@ -15,7 +15,7 @@ public readonly record struct PlotLimit(PlotQuantity Quantity, double Value)
     public static IReadOnlyList<PlotLimit> Of(PreparedJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        var machine = job.Settings.Machine;
+        var machine = job.Settings.CuttingMachine;
         var (x, y) = (machine.Scale.X.LengthOf(machine.AccelerationCounts), machine.Scale.Y.LengthOf(machine.AccelerationCounts));
         List<PlotLimit> limits =
         [

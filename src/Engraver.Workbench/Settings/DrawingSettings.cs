@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
 
@@ -55,8 +56,17 @@ public sealed record DrawingSettings
     /// <summary>Diameter of the tool, mm; above 0 when <see cref="Kerf"/> is not off.</summary>
     public double ToolDiameterMm { get; init; }
 
+    /// <summary>What is machined with which tool, how deep and how; null: every curve once, at the heights of the machine profile.</summary>
+    public OperationPlan? Operations { get; init; }
+
+    /// <summary>Number of the tool whose operations are run; 0: all, which then need the same tool.</summary>
+    public int Tool { get; init; }
+
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
+
+    /// <summary>The machine as the job uses it: operations replace its cutting depth, the depth of a pass and the plunge feed.</summary>
+    public MachineProfile CuttingMachine => Operations?.Applied(Machine, Tool) ?? Machine;
 
     /// <summary>The settings for records of a drawing: with the unit and the construction that were chosen when it was opened, so that they
     /// open it again with the same scale and the same curves. Texts are not read differently: whether they are cut is a setting of the job.</summary>

@@ -44,6 +44,10 @@ public static class SettingTable
         Unit = "mm", Argument = "MM", Min = 1e-3, Max = 1e3, Command = "KERF", HasOwnCommand = true, Page = SettingPage.Toolpath,
     };
 
+    public static OperationsSetting Operations { get; } = new("operations") { Command = "OPERATION", HasOwnCommand = true };
+
+    public static ToolSetting Tool { get; } = new("tool", s => s.Tool, (s, v) => s with { Tool = (int)v }) { Argument = "N", Min = 1, Max = 9999, Whole = true, Command = "OPERATION", HasOwnCommand = true };
+
     public static MachineSetting Machine { get; } = new("machine") { Command = "CNCPROFILE", HasOwnCommand = true };
 
     public static FeedSetting Feed { get; } = new("feed", m => m.FeedMmPerMinute, (m, v) => m with { FeedMmPerMinute = v })
@@ -67,7 +71,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<Setting> All { get; } =
-        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The setting of a key; null when there is none.</summary>
     public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Operations;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
@@ -13,14 +14,21 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
     public override bool StartsStep => false;
 
     /// <summary>Faults of texts, and positions where a toolpath, whose coordinates are finite, differs from the drawing.</summary>
-    public static IReadOnlyList<Diagnostic> FaultsOf(CompensatedJob job, Toolpath toolpath) =>
-        [.. TextFaultsOf(job), .. ToolpathCheck.Findings(job.Cut.Table, toolpath, new ToolpathTolerances(job.Settings.MaxErrorMm, job.Settings.JoinToleranceMm, job.Settings.RecoverArcs), job.Drawing.SourceOf)];
+    public static IReadOnlyList<Diagnostic> FaultsOf(ShapedJob job, Toolpath toolpath) =>
+        [.. TextFaultsOf(job), .. job.OperationFaults, .. ToolpathCheck.Findings(job.Cut.Table, toolpath, TolerancesOf(job), job.Drawing.SourceOf)];
 
     protected override CheckedJob Execute(MotionJob job, CancellationToken cancellation)
     {
-        var faults = job.Motion.Program is null ? TextFaultsOf(job) : FaultsOf(job, job.Toolpath);
+        IReadOnlyList<Diagnostic> faults = job.Motion.Program is null ? [.. TextFaultsOf(job), .. job.OperationFaults] : [.. FaultsOf(job, job.Toolpath), .. OperationsFaultsOf(job)];
         return new CheckedJob(faults.Count > 0 ? job with { Motion = job.Motion with { Program = null } } : job, faults);
     }
+
+    /// <summary>Strokes that are not as their operations state.</summary>
+    private static IReadOnlyList<Diagnostic> OperationsFaultsOf(MotionJob job) => job.Shapes.Count == 0
+        ? []
+        : OperationCheck.Findings(job.Shapes, job.Toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf);
+
+    private static ToolpathTolerances TolerancesOf(DrawnJob job) => new(job.Settings.MaxErrorMm, job.Settings.JoinToleranceMm, job.Settings.RecoverArcs);
 
     /// <summary>Fields without a value, and letters that are not at their places.</summary>
     public static IReadOnlyList<Diagnostic> TextFaultsOf(LetteredJob job) => [.. job.FieldFaults, .. job.Letters.Faults];

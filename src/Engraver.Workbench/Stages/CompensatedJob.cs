@@ -1,9 +1,9 @@
 namespace Engraver.Workbench.Stages;
 
 /// <summary>A job whose table is compensated for the tool radius, if the settings request it.</summary>
-public record CompensatedJob : AnalysedJob
+public record CompensatedJob : AssignedJob
 {
-    public CompensatedJob(AnalysedJob job, CutTable cut)
+    public CompensatedJob(AssignedJob job, CutTable cut)
         : base(job) => Cut = cut;
 
     /// <summary>The entities to cut.</summary>

@@ -16,7 +16,7 @@ internal sealed class InspectStage() : JobStage<CheckedJob, CheckedJob>("Inspect
     public override bool IsMeasured => false; // One pass over the entities.
 
     public static IReadOnlyList<Diagnostic> FindingsOf(Drawing drawing, DrawingSettings settings) =>
-        CutFindings.Find(drawing, StageOptions.SelectionOf(settings), settings.Start, settings.JoinToleranceMm, cutsHeights: settings.Machine.Height is not null);
+        CutFindings.Find(drawing, StageOptions.SelectionOf(settings), settings.Start, settings.JoinToleranceMm, cutsHeights: settings.CuttingMachine.Height is not null);
 
     protected override CheckedJob Execute(CheckedJob job, CancellationToken cancellation) =>
         job with { Findings = [.. job.Findings, .. FindingsOf(job.Drawing, job.Settings), .. job.Cut.FindingsBeside(job.Sequence)] };

@@ -7,9 +7,12 @@ public static class JobStages
     [
         new LetterStage(),
         new TableStage(),
+        new AssignStage(),
         new KerfStage(),
+        new ShapeStage(),
         new ChainStage(),
         new OrderStage(),
+        new DressStage(),
         new PathStage(),
         new MotionStage(),
         new CheckStage(),

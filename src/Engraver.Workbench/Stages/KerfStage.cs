@@ -5,7 +5,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Stages;
 
 /// <summary>Replaces the contours by the path of the tool centre, if the settings request it.</summary>
-internal sealed class KerfStage() : JobStage<AnalysedJob, CompensatedJob>("Kerf", share: 0)
+internal sealed class KerfStage() : JobStage<AssignedJob, CompensatedJob>("Kerf", share: 0)
 {
     public override IReadOnlyList<Setting> Settings =>
     [
@@ -16,10 +16,10 @@ internal sealed class KerfStage() : JobStage<AnalysedJob, CompensatedJob>("Kerf"
 
     public override bool IsMeasured => false; // The measured drawing is cut as drawn.
 
-    protected override CompensatedJob Execute(AnalysedJob job, CancellationToken cancellation)
+    protected override CompensatedJob Execute(AssignedJob job, CancellationToken cancellation)
     {
         var settings = job.Settings;
-        if (settings.Kerf == KerfSide.Off) return new CompensatedJob(job, new CutTable(job.Analysed, null, []));
+        if (settings.Kerf == KerfSide.Off || job.Assignment is not null) return new CompensatedJob(job, new CutTable(job.Analysed, null, []));
         var chained = Sequencer.Chain(job.Analysed, job.Drawing, StageOptions.SequencingFor(job.Drawing, settings));
         var options = new KerfOptions(settings.Kerf, settings.ToolDiameterMm, settings.MaxErrorMm, settings.JoinToleranceMm, settings.Machine.Height is not null);
         var kerf = KerfCompensation.Compensate(chained, options);

@@ -6,12 +6,16 @@ namespace Engraver.Workbench.Stages;
 /// <summary>Plans the moves from the start point of the tool; ellipses and splines become arcs.</summary>
 internal sealed class PathStage() : JobStage<OrderedJob, PathJob>("Path", share: 10)
 {
-    public override IReadOnlyList<Setting> Settings => [SettingTable.Start, SettingTable.MaxError];
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Start, SettingTable.MaxError, SettingTable.Operations, SettingTable.Machine, SettingTable.Feed, SettingTable.VectorSpeed];
 
     public override bool IsMeasured => false; // The lines of the measured drawing are moves already.
 
     /// <summary>The path of lines and arcs from the start point of the tool.</summary>
-    public static Toolpath ToolpathOf(OrderedJob job) => ToolpathPlanner.Plan(job.Sequence, job.Settings.Start, job.Settings.MaxErrorMm);
+    public static Toolpath ToolpathOf(OrderedJob job)
+    {
+        var path = ToolpathPlanner.Plan(job.Sequence, job.Settings.Start, job.Settings.MaxErrorMm);
+        return job.Settings.Operations is not { } plan || job.Passes.Count == 0 ? path : path with { Strokes = [.. path.Strokes.Zip(job.Passes, (stroke, pass) => stroke with { FeedMmPerMinute = plan.FeedOf(pass.Operation, job.Settings.Machine) })] };
+    }
 
     protected override PathJob Execute(OrderedJob job, CancellationToken cancellation) => new(job, ToolpathOf(job));
 }

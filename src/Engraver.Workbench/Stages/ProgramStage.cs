@@ -18,7 +18,7 @@ internal sealed class ProgramStage() : JobStage<CheckedJob, PlannedJob>("Program
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return new PlannedJob(job);
         var driver = MachineFamilies.DriverOf(program.Profile);
         var post = PostTable.ForMotion(driver, program.Style)?.Post;
-        var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, ReadOnlyDictionary<string, string>.Empty) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm };
+        var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, ReadOnlyDictionary<string, string>.Empty) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm };
         var posted = new Lazy<PostOutput?>(() => post?.Write(request));
         var findings = post?.Findings(request) ?? [];
         cancellation.ThrowIfCancellationRequested();

@@ -28,7 +28,7 @@ public static class ProgramVerification
     {
         posted ??= PostParameters.Defaults;
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation, posted.Values);
-        var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
+        var (machine, tolerances) = (job.Settings.CuttingMachine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
         if (posted.Origin is null && !machine.Scale.Counts(job.Settings.Start)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: a program cannot start there.

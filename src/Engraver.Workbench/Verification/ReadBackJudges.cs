@@ -23,7 +23,7 @@ internal sealed class ReadBackJudges
     /// <param name="bridges">Lines across gaps within the join tolerance, which may be cut too.</param>
     public ReadBackJudges(PreparedJob job, PostParameters posted, IProgramReader reader, TraceTolerances tolerances, IReadOnlyList<StrokeMove> bridges)
     {
-        var (machine, isInSpace) = (job.Settings.Machine, reader.ReportsHeights && job.Settings.Machine.Height is not null);
+        var (machine, isInSpace) = (job.Settings.CuttingMachine, reader.ReportsHeights && job.Settings.CuttingMachine.Height is not null);
         (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
         _length = reader.ReportsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
@@ -45,7 +45,7 @@ internal sealed class ReadBackJudges
     /// <summary>Creates the request that reports to all judges.</summary>
     /// <param name="start">Machine position at the start of the program.</param>
     public ReplayRequest Request(CountsPoint start, TimeSpan expected, TimeSpan longest) =>
-        new(_job.Settings.Machine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace }.OfType<ITraceJudge>()])
+        new(_job.Settings.CuttingMachine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace }.OfType<ITraceJudge>()])
         {
             Entry = _posted.Start ?? (_job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null),
             Feeds = Feeds,

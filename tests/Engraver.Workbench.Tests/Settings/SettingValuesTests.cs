@@ -31,7 +31,7 @@ public class SettingValuesTests
     };
 
     public static TheoryData<string> Names =>
-        [.. typeof(DrawingSettings).GetProperties(BindingFlags.Public | BindingFlags.Instance).Where(property => !Equals(property.GetValue(s_other), property.GetValue(DrawingSettings.Default))).Select(property => property.Name).Where(name => name != nameof(DrawingSettings.Machine))];
+        [.. typeof(DrawingSettings).GetProperties(BindingFlags.Public | BindingFlags.Instance).Where(property => !Equals(property.GetValue(s_other), property.GetValue(DrawingSettings.Default))).Select(property => property.Name).Where(name => name is not (nameof(DrawingSettings.Machine) or nameof(DrawingSettings.CuttingMachine)))];
 
     /// <summary>Values that are hard to write; <see cref="SettingWalkTests"/> goes through every setting of the table.</summary>
     [Theory]

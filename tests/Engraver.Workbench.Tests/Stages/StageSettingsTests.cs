@@ -6,6 +6,7 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Motion;
+using Engraver.Core.Operations;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -19,6 +20,8 @@ public class StageSettingsTests
 {
     private static readonly MachineProfile s_mill = MachineProfileSource.Load(Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
 
+    private static readonly OperationPlan s_operations = Plan(depth: 1, feed: 500);
+
     private static readonly DrawingSettings s_drawn = new() { SkippedLayers = ["C"], RecoverArcs = true };
 
     private static readonly IReadOnlyList<DrawingSettings> s_bases =
@@ -27,6 +30,7 @@ public class StageSettingsTests
         s_drawn with { MaxErrorMm = 0.05, JoinToleranceMm = 0.5 },
         s_drawn with { Machine = s_mill },
         s_drawn with { Kerf = KerfSide.Nesting, ToolDiameterMm = 1.0 },
+        s_drawn with { Machine = s_mill, Operations = s_operations },
     ];
 
     private static readonly Dictionary<Setting, Func<DrawingSettings, DrawingSettings>> s_changes = new()
@@ -45,12 +49,16 @@ public class StageSettingsTests
         [SettingTable.RecoverArcs] = settings => settings with { RecoverArcs = !settings.RecoverArcs },
         [SettingTable.Kerf] = settings => settings with { Kerf = settings.Kerf == KerfSide.Off ? KerfSide.Outside : KerfSide.Off, ToolDiameterMm = 1.0 },
         [SettingTable.ToolDiameter] = settings => settings with { ToolDiameterMm = 2.0 },
+        [SettingTable.Operations] = settings => settings with { Operations = settings.Operations is null ? s_operations : Plan(depth: 2, feed: 400) },
+        [SettingTable.Tool] = settings => settings with { Tool = 7 },
         [SettingTable.Machine] = settings => settings with { Machine = settings.Machine.Height is null ? s_mill : MachineProfile.Default },
         [SettingTable.Feed] = settings => settings with { Machine = settings.Machine with { FeedMmPerMinute = 77 } },
         [SettingTable.VectorSpeed] = settings => settings with { Machine = settings.Machine with { FeedMmPerMinute = 88 } },
         [SettingTable.Rapid] = settings => settings with { Machine = settings.Machine with { RapidMmPerMinute = 99 } },
         [SettingTable.Acceleration] = settings => settings with { Machine = settings.Machine with { AccelerationCounts = 20_480 } },
     };
+
+    private static OperationPlan Plan(double depth, double feed) => OperationFile.Parse(FormattableString.Invariant($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": 1}], "operations": [{ "id": "a", "kind": "engrave", "select": {"layers": ["B"]}, "tool": 1, "depth": {{depth}}, "feed": {{feed}} }, { "id": "b", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }] }"""));
 
     public static TheoryData<string> Keys => [.. JobStages.All.Select(stage => stage.Key)];
 
@@ -99,10 +107,12 @@ public class StageSettingsTests
         PlannedJob { Planned: { } planned } of => Join([of.Posted.Value!.Text, planned.DurationSeconds, .. Sentences(of.PostFindings)]),
         CheckedJob of => Join([of.Motion.Program is null, .. Sentences([.. of.Faults, .. of.Findings])]),
         MotionJob { Motion.Program: { } program } => Join([ProgramFingerprint.Of(program), program.Start, program.Finish, program.Profile, MotionTime.Calculate(program, MachineFamilies.DriverOf(program.Profile).NetworkTimes).Total]),
-        PathJob { Toolpath: var path } => Join([path.ToolStart, .. path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Print(move.Segment))]),
-        OrderedJob { Sequence: var sequence } => Join([sequence.Travel, .. Print(sequence.Table.ToSegments()), .. sequence.Discontinuities.Select(end => end.DiagnosticId), .. Sentences(sequence.Diagnostics)]),
+        PathJob { Toolpath: var path } => Join([path.ToolStart, .. path.Strokes.Select(stroke => stroke.FeedMmPerMinute), .. path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Print(move.Segment))]),
+        OrderedJob { Sequence: var sequence } of => Join([sequence.Travel, .. of.Operations.SelectMany(operation => Print(operation.Path.ToSegments())), .. of.Passes.Select(pass => pass.Depth), .. Print(sequence.Table.ToSegments()), .. sequence.Discontinuities.Select(end => end.DiagnosticId), .. Sentences(sequence.Diagnostics)]),
+        ShapedJob { Shapes: { Count: > 0 } shapes } and not (ChainedJob or OrderedJob) => Join([.. shapes.SelectMany(shape => Print(shape.Path.ToSegments()))]),
         ChainedJob { Chained: var chained } => Join([.. Print(chained.Segments), chained.Chain.Contours.Count, chained.DuplicatesRemoved, .. Sentences(chained.Diagnostics)]),
         CompensatedJob { Cut: var cut } => Join([.. Print(cut.Table.ToSegments()), .. Sentences(cut.Diagnostics)]),
+        AssignedJob { Assignment: { } assignment } => Join([.. assignment.Parts.SelectMany(part => Print(part.Table.ToSegments())), .. Sentences(assignment.Findings), .. Sentences(assignment.Faults)]),
         AnalysedJob of => Join([.. Print(of.Analysed.ToSegments())]),
         LetteredJob { Letters: var letters } => Join([letters.Drawing.Entities.Count, letters.Drawing.Parts.Count, letters.Texts.Count, .. Sentences(letters.Findings)]),
         _ => throw new ArgumentException("not printed", nameof(job)),

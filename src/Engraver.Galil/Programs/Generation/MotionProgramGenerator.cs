@@ -47,10 +47,12 @@ public static class MotionProgramGenerator
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.IsUniform && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var columns = new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count));
-        var generator = new StrokeGenerator(profile, maxErrorMm, style, columns);
+        var generators = new Dictionary<double, StrokeGenerator>();
         foreach (var stroke in toolpath.Strokes)
         {
             var isCut = false;
+            var feed = stroke.FeedMmPerMinute ?? profile.FeedMmPerMinute;
+            if (!generators.TryGetValue(feed, out var generator)) generators[feed] = generator = new StrokeGenerator(profile with { FeedMmPerMinute = feed }, maxErrorMm, style, columns);
             foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift);
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }

@@ -12,7 +12,7 @@ internal sealed class DiscontinuitiesCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var result = JobPreparation.To<OrderedJob>(context.Drawing, context.Document.Current.Settings with { Kerf = KerfSide.Off }, context.PlateValues).Sequence;
+        var result = JobPreparation.To<OrderedJob>(context.Drawing, context.Document.Current.Settings with { Kerf = KerfSide.Off, Operations = null }, context.PlateValues).Sequence;
         context.WriteResult(output => SequenceText.WriteOpenEnds(output, result));
         return Task.CompletedTask;
     }

@@ -22,7 +22,9 @@ internal sealed class EnterCommand : ICommand
             _ => null,
         };
         var state = context.Document.Current;
-        context.Commit(state with { Settings = state.Settings with { Enter = place } });
+        var changed = state.Settings with { Enter = place };
+        if (SettingTable.Operations.Conflict(changed) is { } conflict) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(conflict));
+        context.Commit(state with { Settings = changed });
     }
 
     /// <summary>Identifies the entity by its handle if it is unique, otherwise by a point on it: curves of a block's copies share their handle.</summary>

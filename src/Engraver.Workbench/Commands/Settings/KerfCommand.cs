@@ -19,7 +19,9 @@ internal sealed class KerfCommand : ICommand
         var side = SettingTable.Kerf.ParseInput(await context.ChoiceAsync(Wording.Get("Kerf.EnterSide"), Keyword.List([.. SettingTable.Kerf.Choices]), SettingTable.Kerf.ToInput(settings)).ConfigureAwait(false));
         var diameter = side == KerfSide.Off ? settings.ToolDiameterMm : await DiameterAsync(context, side, settings.ToolDiameterMm).ConfigureAwait(false);
         var state = context.Document.Current;
-        context.Commit(state with { Settings = state.Settings with { Kerf = side, ToolDiameterMm = diameter } });
+        var changed = state.Settings with { Kerf = side, ToolDiameterMm = diameter };
+        if (SettingTable.Operations.Conflict(changed) is { } conflict) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(conflict));
+        context.Commit(state with { Settings = changed });
     }
 
     private static async Task<double> DiameterAsync(CommandContext context, KerfSide side, double before)

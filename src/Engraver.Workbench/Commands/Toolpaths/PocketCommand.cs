@@ -27,7 +27,7 @@ internal sealed class PocketCommand : ICommand
         var drawing = context.Drawing;
         var result = PocketPlanner.Plan(contours, options);
         var cuts = result.Strokes.Count > 0 ? PocketLevels.Of(result, options, depths) : [];
-        FindingMessages.Write(context, drawing.FileName, [.. PocketDrawing.Findings(result, options), .. PocketDrawing.Findings(cuts, depths)], Severity.Info);
+        FindingMessages.Write(context, drawing.FileName, [.. PocketFindings.Of(result, options), .. PocketDrawing.Findings(cuts, depths)], Severity.Info);
         if (result is not { Strokes.Count: > 0, Coverage: { } coverage }) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
         context.WriteMessage(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
@@ -62,7 +62,7 @@ internal sealed class PocketCommand : ICommand
             rebuilt.Add(like, CurveType.LwPolyline, cut.Stroke.Start == cut.Stroke.End, [.. PocketDrawing.SegmentsOf(cut.Stroke).Select(segment => PartOf(segment, cut.Z).Transformed(scale))]);
         }
 
-        DrawingChange.Commit(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off } : settings);
+        DrawingChange.Commit(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off, Operations = null } : settings);
     }
 
     private static DrawingPart PartOf(in Segment segment, double z) =>

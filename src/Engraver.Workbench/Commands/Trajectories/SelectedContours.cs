@@ -36,7 +36,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     /// <summary>The contours of some entities, empty if none has a length.</summary>
     public static (SelectedContours Contours, IReadOnlyList<Diagnostic> Findings) Of(Drawing drawing, DrawingSettings settings, IReadOnlyList<int> entities)
     {
-        var job = new AnalysedJob(new LetteredJob(new DrawnJob(drawing, settings with { Enter = null, Kerf = KerfSide.Off }), LetteredDrawing.None(drawing)), ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities)));
+        var job = new AnalysedJob(new LetteredJob(new DrawnJob(drawing, settings with { Enter = null, Kerf = KerfSide.Off, Operations = null }), LetteredDrawing.None(drawing)), ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities)));
         var chained = new StageRun(job, CancellationToken.None).To<ChainedJob>().Chained;
         var contours = OffsetDrawing.ContoursOf(chained).Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)));
         return (new SelectedContours([.. contours], entities), chained.Diagnostics);

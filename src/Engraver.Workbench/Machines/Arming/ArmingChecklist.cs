@@ -101,13 +101,13 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <summary>Without a check for a job that exceeds the travel: it has no placement, which the origin check reports.</summary>
     private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckTerminology speech)
     {
-        if (placement is { Frame: not null, IsWithinTravel: true } && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
+        if (placement is { Frame: not null, IsWithinTravel: true } && job.Settings.CuttingMachine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
     }
 
     private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckTerminology speech)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.WorkOriginUnknown"));
-        var machine = job.Settings.Machine;
+        var machine = job.Settings.CuttingMachine;
         var scale = machine.Height is null ? machine.Scale with { Z = default } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
         return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PositionText.Format(frame, scale)));
     }

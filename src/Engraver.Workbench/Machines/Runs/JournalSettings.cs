@@ -3,6 +3,7 @@ using System.Text.Json;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -16,6 +17,11 @@ internal static class JournalSettings
 
     /// <summary>Fields of the profile that do not affect the cut.</summary>
     private static readonly FrozenSet<string> s_ignoredFields = FrozenSet.Create(StringComparer.Ordinal, "costPerHour", "costPerMetre", "costPerStart", "inputs", "outputs", "jogMmPerMinute", "travelX", "travelY", "travelZ");
+
+    /// <summary>A longer value is shown by its hash: the operations.</summary>
+    private const int LongestShown = 160;
+
+    private const int ShownDigits = 12;
 
     /// <summary>Key of the plate, which is not a setting.</summary>
     public const string PlateKey = "plate";
@@ -55,5 +61,5 @@ internal static class JournalSettings
     private static string Name(string key) => key.StartsWith(Font, StringComparison.Ordinal) ? Wording.Get("Resume.Font", key[Font.Length..]) : Setting(key)?.Name ?? key;
 
     private static string Value(string key, IReadOnlyDictionary<string, string> words) =>
-        words.GetValueOrDefault(key) is { } word ? $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");
+        words.GetValueOrDefault(key) is { } word ? word.Length > LongestShown ? $"SHA-256 {ContentHash.OfText(word)[..ShownDigits]}" : $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");
 }

@@ -123,7 +123,7 @@ public static class MachineRun
     {
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
         if (judge is not null) beginning.FeedJudge(judge, placement.Program);
-        var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
+        var listener = judge is null ? null : new RecordListener(job.Settings.CuttingMachine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // Cuts of earlier jobs on the same simulated controller do not count for this one.
         listener?.Start(frame.X, frame.Y, frame.Z);
         var polled = options.DryRun || connection.Simulator is not null ? null : new PolledJudge(job);

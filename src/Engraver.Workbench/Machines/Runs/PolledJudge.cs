@@ -31,7 +31,7 @@ internal sealed class PolledJudge
 
     public void Add(TracePoint point)
     {
-        var profile = _job.Settings.Machine;
+        var profile = _job.Settings.CuttingMachine;
         var commanded = RunJudge.CommandedSample(profile, point.Seconds, point.Place, point.ToolOn);
         ForwardLast(commanded.Cutting);
         _last = commanded;
@@ -54,7 +54,7 @@ internal sealed class PolledJudge
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var tolerances = RunJudge.Tolerances(_job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
-        var missing = _job.Settings.Machine.Scale.Finer.LengthOf(Math.Max(0.0, planned - cut));
+        var missing = _job.Settings.CuttingMachine.Scale.Finer.LengthOf(Math.Max(0.0, planned - cut));
         return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
     }
 

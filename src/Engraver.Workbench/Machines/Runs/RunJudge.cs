@@ -38,7 +38,7 @@ public static class RunJudge
 
     /// <summary>A judge that compares recorded motion with the drawing.</summary>
     /// <param name="bridges">Additional lines that may be cut; the missing length of the verdict is then meaningless.</param>
-    internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.Machine.Height is { } drive
+    internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.CuttingMachine.Height is { } drive
         ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, Tolerances(job))
         : PlanJudgeOf(job, bridges, Tolerances(job));
 
@@ -55,12 +55,12 @@ public static class RunJudge
     /// <summary>A sample from the progress of a running job; in a dry run the path counts as cut.</summary>
     /// <param name="error">The last reported position error; null if it is not polled.</param>
     internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun, CountsPoint? error) =>
-        MotorSample(job.Settings.Machine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
+        MotorSample(job.Settings.CuttingMachine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
 
     /// <summary>The allowed deviations of a correct run.</summary>
     public static TraceTolerances Tolerances(PreparedJob job) => new()
     {
-        Count = CoarsestCount(job.Settings.Machine),
+        Count = CoarsestCount(job.Settings.CuttingMachine),
         MaxError = job.Settings.MaxErrorMm,
     };
 

@@ -213,7 +213,7 @@ public static class JobReportPage
 
     private static void Settings(JobReport report, PageWriter page)
     {
-        var machine = report.Job.Settings.Machine;
+        var machine = report.Job.Settings.CuttingMachine;
         page.Pairs(
         [
             .. SettingValues.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),

@@ -1,0 +1,41 @@
+using Engraver.Core.Languages;
+using Engraver.Core.Operations;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>Operations from a file, with the tool library that it names.</summary>
+public static class OperationsSource
+{
+    /// <summary>The operations of a file.</summary>
+    /// <exception cref="SettingException">The file cannot be read or is not an operations file; the message states every place and reason.</exception>
+    public static OperationPlan Load(string path)
+    {
+        var read = OperationFile.Read(TextOf(path), name => Library(path, name));
+        return read.Plan ?? throw new SettingException(string.Join('\n', read.Diagnostics.Select(finding => $"{path}({finding.Source.Line}): {finding.Id}: {finding.Message}")));
+    }
+
+    private static string TextOf(string path)
+    {
+        try
+        {
+            return File.ReadAllText(path);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            throw new SettingException(Wording.Get("OperationsSource.CannotRead", path, SystemErrorText.FromException(unreadable)), unreadable);
+        }
+    }
+
+    /// <summary>The library is found beside the operations file.</summary>
+    private static (string? Json, string Failure) Library(string path, string name)
+    {
+        try
+        {
+            return (File.ReadAllText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, name)), "");
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            return (null, SystemErrorText.FromException(unreadable));
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Operations;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Stages;
+
+/// <summary>Divides the rows among the operations, if the settings have any.</summary>
+internal sealed class AssignStage() : JobStage<AnalysedJob, AssignedJob>("Assign", share: 0)
+{
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Operations, SettingTable.Tool, SettingTable.Machine];
+
+    public override bool StartsStep => false;
+
+    public override bool IsMeasured => false; // The measured drawing has no operations.
+
+    protected override AssignedJob Execute(AnalysedJob job, CancellationToken cancellation)
+    {
+        if (job.Settings.Operations is not { } plan) return new AssignedJob(job, null);
+        var assignment = OperationAssignment.Of(job.Analysed, job.Drawing, plan, job.Settings.Machine, job.Settings.Tool);
+        return new AssignedJob(job with { Findings = [.. job.Findings, .. assignment.Findings] }, assignment);
+    }
+}

@@ -1,0 +1,89 @@
+using Engraver.Core.Operations;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>OPERATION on the plate of the samples.</summary>
+public class OperationCommandTests
+{
+    [Fact]
+    public async Task A_file_is_loaded_shown_undone_and_saved_as_it_was()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"));
+        var plan = Plan(talk)!;
+        Assert.Equal(["marks", "holes", "pocket", "outline"], plan.Operations.Select(operation => operation.Id));
+        await talk.TypeAsync("OPERATION", "SH");
+        Assert.Contains("4. outline \"Outline\": Profile with tool End mill 3 (3), depth 3 mm, 500 mm/min", talk.Said, StringComparison.Ordinal);
+
+        await talk.TypeAsync("OPERATION", "Save", talk.PathOf("again.json"), "U");
+        Assert.Null(Plan(talk));
+        await talk.TypeAsync("OPERATION", "LO", talk.PathOf("again.json"));
+        Assert.Equal(plan, Plan(talk));
+        Assert.DoesNotContain(talk.Session.Derivation.Current?.Job?.Faults ?? [], _ => true);
+    }
+
+    [Fact]
+    public async Task Operations_are_added_edited_switched_moved_and_deleted()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "New", "R", "CUT", "3", "2.5", "4");
+        await talk.TypeAsync("OPERATION", "New", "E", "*", "3", "0.2");
+        Assert.Equal(["o1 Profile CUT 3 4", "o2 Engrave  3 0.2"], Plan(talk)!.Operations.Select(one => FormattableString.Invariant($"{one.Id} {one.Kind} {string.Join(',', one.Select.Layers)} {one.Tool} {one.Depth}")));
+        Assert.Equal((2.5, true), (Plan(talk)!.Tools[0].Diameter, Plan(talk)!.Operations[1].Select.IsRest));
+
+        await talk.TypeAsync("OPERATION", "Edit", "o1", "direction", "climb");
+        await talk.TypeAsync("OPERATION", "Edit", "o1", "name", "Outline");
+        await talk.TypeAsync("OPERATION", "Edit", "outline", "depthPerPass", "1.5");
+        await talk.TypeAsync("OPERATION", "SW", "o2");
+        await talk.TypeAsync("OPERATION", "Move", "o2", "1");
+        Assert.Equal([("o2", false, null), ("o1", true, (double?)1.5)], Plan(talk)!.Operations.Select(one => (one.Id, one.IsOn, one.DepthPerPass)));
+        Assert.Equal(CutDirection.Climb, Plan(talk)!.Operations[1].Direction);
+
+        await talk.TypeAsync("OPERATION", "Edit", "o1", "depthPerPass", "");
+        Assert.Null(Plan(talk)!.Operations[1].DepthPerPass);
+        await talk.TypeAsync("OPERATION", "Tool", "3");
+        Assert.Equal(3, talk.State.Settings.Tool);
+        await talk.TypeAsync("OPERATION", "Delete", "o2", "OPERATION", "Delete", "o1");
+        Assert.Equal((null, 0), (Plan(talk), talk.State.Settings.Tool));
+    }
+
+    [Theory]
+    [InlineData("depth", "-1", "Allowed: a number above 0")]
+    [InlineData("dept", "1", "The field operations[0].dept is unknown")]
+    [InlineData("kind", "mill", "Allowed: engrave, profile, pocket, drill")]
+    [InlineData("tool", "9", "Allowed: 3")]
+    public async Task An_edit_that_is_not_valid_changes_nothing_and_says_why(string field, string value, string message)
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "New", "E", "*", "3", "2.5", "1");
+        var before = Plan(talk);
+        var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPERATION", "Edit", "o1", field, value));
+
+        Assert.Contains(message, failed.Message, StringComparison.Ordinal);
+        Assert.Equal(before, Plan(talk));
+    }
+
+    [Fact]
+    public async Task Kerf_and_an_entering_place_are_refused_beside_operations_and_another_drawing_has_none()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"));
+
+        Assert.Contains("cannot be used with OPERATION", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("KERF", "N", "3")).Message, StringComparison.Ordinal);
+        Assert.Contains("cannot be used with OPERATION", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("ENTER", "P", "0,0")).Message, StringComparison.Ordinal);
+        await talk.TypeAsync("OPERATION", "R", "KERF", "N", "3");
+        Assert.Contains("KERF cannot be used", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"))).Message, StringComparison.Ordinal);
+        await talk.TypeAsync("KERF", "OFF", "OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"), "OPEN", CommandTestSession.Sample("paper-001.dxf"));
+        Assert.Null(Plan(talk));
+    }
+
+    private static OperationPlan? Plan(CommandTestSession talk) => talk.State.Settings.Operations;
+
+    private static async Task<CommandTestSession> PlateAsync()
+    {
+        var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("operation-plate.dxf"), "CNCPROFILE", CommandTestSession.Sample("machine-mill.json"));
+        return talk;
+    }
+}
