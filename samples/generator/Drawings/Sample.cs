@@ -14,6 +14,7 @@ internal sealed record Sample(string FileName, Func<DxfDocument> Draw, bool Bina
         new("pcb-outline.dxf", PcbOutline.Draw),
         new("clock-dial.dxf", ClockDial.Draw, Binary: true),
         new("label-plate.dxf", LabelPlate.Draw),
+        new("operation-plate.dxf", OperationPlate.Draw),
     ];
 
     /// <summary>Writes the file, over an earlier one of the same name.</summary>

@@ -1,3 +1,4 @@
+using System.Text.Json.Serialization;
 using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output;
@@ -26,6 +27,10 @@ internal sealed record PlanJson(
 {
     /// <summary>The plates that would be engraved, of which the other values describe the first; null for a drawing without plates.</summary>
     public IReadOnlyList<PlateReportJson>? Plates { get; init; }
+
+    /// <summary>The operations; not written for a job without operations.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<OperationJson>? Operations { get; init; }
 
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
 

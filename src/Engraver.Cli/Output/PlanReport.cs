@@ -15,16 +15,17 @@ internal static class PlanReport
     public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
-        PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? []).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts);
+        PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? job.Shapes.SelectMany(shape => shape.Uncut)).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job) };
         var peaks = MotionPeaks.From(program);
         var cost = JobSheet.Of(job, times, rates).Cost;
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts);
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job) };
     }
 
     public static void Text(TextWriter output, PlanJson plan)
     {
         output.WriteLine(Wording.Get("PlanReport.Lengths", plan.CutLength, plan.Travel));
+        foreach (var one in plan.Operations ?? []) output.WriteLine(Wording.Get("PlanReport.Operation", one.Name.Length > 0 ? one.Name : one.Id, one.Kind, one.Tool, one.Curves, one.Strokes, one.Length, one.Feed));
         if (plan.Seconds is not { } seconds) return;
         output.WriteLine(Wording.Get("PlanReport.Times", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
         output.WriteLine(Wording.Get("PlanReport.Peaks", plan.PeakSpeed, plan.PeakAxisAcceleration));

@@ -1,3 +1,4 @@
+using System.Text.Json.Serialization;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.LetteredDrawings;
 
@@ -72,6 +73,10 @@ internal sealed record RunJson
 
     /// <summary>The plates of a series that were run; null for a run that is not a series.</summary>
     public IReadOnlyList<PlateReportJson>? Plates { get; init; }
+
+    /// <summary>The operations; not written for a job without operations.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<OperationJson>? Operations { get; init; }
 
     /// <summary>Where a resumed run continued.</summary>
     /// <param name="Segments">Completed segments of the whole program.</param>

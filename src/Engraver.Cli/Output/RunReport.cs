@@ -38,6 +38,7 @@ internal static class RunReport
         MaxFollowingError = report.Judgement.FollowingMm,
         Tolerance = report.ToleranceMm,
         Fonts = job.Fonts,
+        Operations = OperationJson.Of(job),
     };
 
     /// <summary>A run that did not reach the machine: nothing was sent.</summary>
@@ -62,6 +63,7 @@ internal static class RunReport
         LeftOut = job is null ? null : LeftOut(job),
         NotCut = job?.NotCut.Counts,
         Fonts = job?.Fonts ?? [],
+        Operations = OperationJson.Of(job),
         Origin = null,
         FinalZ = null,
         Holds = 0,

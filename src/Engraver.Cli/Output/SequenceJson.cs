@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver sequence --json</c> prints; names, units and meanings are the runner's contract.</summary>
@@ -17,7 +19,20 @@ internal sealed record SequenceJson(
     SequenceJson.SecondsJson Seconds)
 {
     internal sealed record StrokeJson(
-        int Index, bool Closed, int Segments, double Length, double StartX, double StartY, double EndX, double EndY, int Inside);
+        int Index, bool Closed, int Segments, double Length, double StartX, double StartY, double EndX, double EndY, int Inside)
+    {
+        /// <summary>Id of its operation; not written for a job without operations, like the next two.</summary>
+        [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+        public string? Operation { get; init; }
+
+        /// <summary>0 is the first pass of the stroke.</summary>
+        [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+        public int? Pass { get; init; }
+
+        /// <summary>Depth below the top of the work, mm.</summary>
+        [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+        public double? Depth { get; init; }
+    }
 
     internal sealed record DiscontinuityJson(double X, double Y, double? Gap, string? NearestHandle, string Id);
 

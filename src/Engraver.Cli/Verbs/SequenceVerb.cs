@@ -33,9 +33,9 @@ internal static class SequenceVerb
             var posted = parsed.GetValue(output) is null ? null : PostedProgram.FromSequence(ordered, PostTable.ForExtension(".dxf")!.Post, PostedProgram.NoOptions);
             if (posted?.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
-            if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, ordered.Passes, seconds), ContractJson.Default.SequenceJson);
             else SequenceText.Write(host.Out, result);
-            return Task.FromResult(host.Report(parsed, read.FileName, [.. posted?.Diagnostics ?? [.. ordered.Drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. result.Diagnostics], .. ordered.Cut.FindingsBeside(result)]));
+            return Task.FromResult(host.Report(parsed, read.FileName, [.. posted?.Diagnostics ?? [.. ordered.Drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. result.Diagnostics], .. ordered.OperationFaults, .. ordered.Cut.FindingsBeside(result)]));
         });
         return command;
     }

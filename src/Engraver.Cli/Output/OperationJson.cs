@@ -1,0 +1,23 @@
+using Engraver.Core.Operations;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Output;
+
+/// <summary>One operation of a job, in <c>plan</c>, <c>run</c> and <c>sequence</c>; names, units and meanings are the runner's contract.</summary>
+/// <param name="Feed">mm/min.</param>
+/// <param name="Plunge">mm/min; null on a machine without a tool axis.</param>
+/// <param name="Depth">mm; null on a machine without a tool axis.</param>
+/// <param name="Curves">Entities that it takes.</param>
+/// <param name="Strokes">Every pass is one.</param>
+/// <param name="Passes">Passes of each stroke.</param>
+/// <param name="Length">Of all strokes in plan, mm.</param>
+/// <param name="Uncut">Places that its tool does not reach.</param>
+internal sealed record OperationJson(string Id, string Name, string Kind, int Tool, double Feed, double? Plunge, double? Depth, int Curves, int Strokes, int Passes, double Length, int Uncut)
+{
+    /// <summary>The operations of a job; null for a job without operations.</summary>
+    public static IReadOnlyList<OperationJson>? Of(PreparedJob? job) => job?.Settings.Operations is null
+        ? null
+        : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, KindOf(one.Operation.Kind), one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut))];
+
+    private static string KindOf(OperationKind kind) => kind.ToString().ToLowerInvariant();
+}
