@@ -44,10 +44,16 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NothingOn = new("OPR0020", Severity.Error, "tool");
 
+    public static readonly DiagnosticRule NoLead = new("OPR0021", Severity.Warning, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule LeadShortened = new("OPR0022", Severity.Info, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule FewerTabs = new("OPR0023", Severity.Warning, "operation", "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
-        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn,
+        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs,
     ];
 }

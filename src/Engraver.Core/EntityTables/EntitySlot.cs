@@ -39,8 +39,8 @@ public static class EntitySlot
     /// <summary>1 is cut first; 0 means not sequenced.</summary>
     public const int SequenceNumber = 13;
 
-    /// <summary>Kept free by the paper, always 0.</summary>
-    public const int Reserved = 14;
+    /// <summary>0 in paper 001, and for what is drawn. In a path of operations, what the move is for (<see cref="Sequencing.StrokeRole"/>).</summary>
+    public const int Role = 14;
 
     /// <summary>Signed sweep in degrees, counter-clockwise positive; 0 for a line.</summary>
     public const int Sweep = 15;

@@ -69,6 +69,18 @@ public sealed record Operation
     /// <summary>A drill takes circles up to this diameter only; null: every circle.</summary>
     public double? MaxDiameter { get; init; }
 
+    /// <summary>How a closed profile is entered; null: straight down on the contour.</summary>
+    public LeadMove? LeadIn { get; init; }
+
+    /// <summary>How a closed profile is left; null: straight up.</summary>
+    public LeadMove? LeadOut { get; init; }
+
+    /// <summary>Where a closed profile starts.</summary>
+    public StartRule Start { get; init; }
+
+    /// <summary>Bridges that hold the part; null for none.</summary>
+    public PartTabs? Tabs { get; init; }
+
     /// <summary>The name, or the id where it has none.</summary>
     public string Title => Name.Length > 0 ? Name : Id;
 

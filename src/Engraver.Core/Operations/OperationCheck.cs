@@ -15,6 +15,8 @@ public static class OperationCheck
     /// <summary>Rounding of depths, millimetres.</summary>
     private const double DepthRounding = 1e-9;
 
+    private const double LengthRounding = 1e-6;
+
     /// <param name="shapes">The shapes in the order of the operations.</param>
     /// <param name="toolpath">The path of the whole job.</param>
     /// <param name="strokes">Operation and pass of each of its strokes.</param>
@@ -44,12 +46,31 @@ public static class OperationCheck
             var level = pass[0].Moves[0].StartZ;
             foreach (var stroke in pass)
             {
-                if (stroke.Moves.Any(move => move.StartZ != level || move.EndZ != level)) yield return NotAsStated(shape, "depth", stroke.Start);
+                if (stroke.Moves.Any(move => move.Role != StrokeRole.Tab && (move.StartZ != level || move.EndZ != level))) yield return NotAsStated(shape, "depth", stroke.Start);
+                if (TabFault(shape, stroke, level)) yield return NotAsStated(shape, "tab", stroke.Start);
                 if (DirectionFault(shape.Operation, stroke, pass)) yield return NotAsStated(shape, "direction", stroke.Start);
             }
 
-            foreach (var finding in ToolpathCheck.Findings(shape.Path, new Toolpath(default, pass), tolerances, sourceOf)) yield return finding;
+            foreach (var finding in ToolpathCheck.Findings(shape.Path, new Toolpath(default, [.. pass.Select(OfContour)]), tolerances, sourceOf)) yield return finding;
         }
+    }
+
+    /// <summary>The stroke without its leads and without the moves straight up and down at its tabs.</summary>
+    private static ToolpathStroke OfContour(ToolpathStroke stroke) => stroke.Moves.All(move => move.Role == StrokeRole.Cut)
+        ? stroke
+        : stroke with { Moves = [.. stroke.Moves.Where(move => move.Role != StrokeRole.Lead && move.Segment.Length > 0.0)] };
+
+    /// <summary>True when the tabs of a stroke have another number, width or height than stated: the tool is up on level pieces as long as a tab and the tool
+    /// are wide, at most as many as stated, and only where the pass is below the tabs.</summary>
+    private static bool TabFault(ShapedOperation shape, ToolpathStroke stroke, double level)
+    {
+        var raised = stroke.Moves.Where(move => move.Role == StrokeRole.Tab).ToList();
+        if (shape.Operation is not { Tabs: { } tabs, Depth: { } depth }) return raised.Count > 0;
+        if (!stroke.Moves.Any(move => move.Role == StrokeRole.Lead) && !stroke.Closed) return raised.Count > 0;
+        var top = tabs.Height - depth;
+        if (level >= top - DepthRounding) return raised.Count > 0;
+        var up = raised.Where(move => move.Segment.Length > 0.0).ToList();
+        return up.Count > tabs.Count || raised.Count != 3 * up.Count || up.Any(move => Math.Abs(move.StartZ - top) > DepthRounding || move.EndZ != move.StartZ || Math.Abs(move.Segment.Length - tabs.Width - shape.Part.Tool.Diameter) > LengthRounding);
     }
 
     /// <summary>The fault of a list of depths; null when they are those of the operation: equal steps to the depth that is left for the last pass, as few as
@@ -76,8 +97,10 @@ public static class OperationCheck
     /// <summary>True when a closed stroke of a profile has its wall on the other side than stated: by its turns, and by the strokes around it.</summary>
     private static bool DirectionFault(Operation operation, ToolpathStroke stroke, List<ToolpathStroke> pass)
     {
-        if (operation is not { Kind: OperationKind.Profile, Direction: not CutDirection.Any, Side: ProfileSide.Nesting or ProfileSide.Outside or ProfileSide.Inside } || !stroke.Closed) return false;
-        var around = pass.Count(other => !ReferenceEquals(other, stroke) && other.Closed && Turns(other, stroke.Start) != 0);
+        if (operation is not { Kind: OperationKind.Profile, Direction: not CutDirection.Any, Side: ProfileSide.Nesting or ProfileSide.Outside or ProfileSide.Inside }) return false;
+        stroke = OfContour(stroke);
+        if (!stroke.Start.IsNear(stroke.End, LengthRounding)) return false;
+        var around = pass.Select(OfContour).Count(other => other.Moves[0].Segment != stroke.Moves[0].Segment && Turns(other, stroke.Start) != 0);
         var isOutside = operation.Side == ProfileSide.Outside || (operation.Side == ProfileSide.Nesting && around % 2 == 0);
         var isClockwise = Total(stroke) < 0.0;
         return isClockwise != (isOutside == (operation.Direction == CutDirection.Climb));

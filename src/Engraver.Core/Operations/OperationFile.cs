@@ -21,12 +21,15 @@ public static class OperationFile
     private static readonly string[] s_toolFields = ["number", "name", "kind", "diameter", "angle", "flutes", "maxDepth", "feed", "plunge", "spindle"];
     private static readonly string[] s_materialFields = ["name", "feeds"];
     private static readonly string[] s_feedFields = ["tool", "feed", "plunge", "spindle"];
+    private static readonly string[] s_leadFields = ["shape", "radius", "length"];
+    private static readonly string[] s_startFields = ["rule"];
+    private static readonly string[] s_tabFields = ["count", "width", "height"];
     private static readonly string[] s_selectFields = ["layers", "colours", "handles"];
 
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
-        "side", "stepover", "zigzag", "angle", "peck", "maxDiameter",
+        "leadIn", "leadOut", "start", "tabs", "side", "stepover", "zigzag", "angle", "peck", "maxDiameter",
     ];
 
     /// <summary>Reads a file. Every error is a diagnostic with its line.</summary>
@@ -185,6 +188,10 @@ public static class OperationFile
             AngleDegrees = of.Number("angle", -360.0, 360.0, includesLowest: true) ?? 0.0,
             Peck = of.Number("peck", 0.0, LargestLength, includesLowest: false),
             MaxDiameter = of.Number("maxDiameter", 0.0, LargestLength, includesLowest: false),
+            LeadIn = LeadOf(of, "leadIn", path, lines, findings),
+            LeadOut = LeadOf(of, "leadOut", path, lines, findings),
+            Start = Inner(of, "start", path, lines, s_startFields, findings)?.Choice<StartRule>("rule") ?? StartRule.Nearest,
+            Tabs = TabsOf(of, path, lines, findings),
         };
         if (findings.Count > before) return null;
         AddContradictions(of, operation, tools);
@@ -202,12 +209,13 @@ public static class OperationFile
             if (of.Find(field) is { } step && operation.Depth is { } whole && (whole - operation.StartDepth) / step.GetDouble() > MostPasses) of.Invalid(of.PathOf(field), OperationFields.Shown(step), Wording.Get("OperationFile.TooManyPasses", MostPasses));
         }
 
+        if (operation is { Tabs: { } tabs, Depth: { } bottom } && tabs.Height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(tabs.Height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
         }
 
-        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck"])
+        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "tabs"])
         {
             if (of.Has(field) && operation.Depth is null) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
         }
@@ -215,10 +223,31 @@ public static class OperationFile
 
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
-        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
+        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
         ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket]), ("peck", [OperationKind.Drill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]),
     ];
+
+    /// <summary>The fields of an object in an operation; null when it is missing.</summary>
+    private static OperationFields? Inner(OperationFields of, string name, string path, JsonFields lines, IReadOnlyList<string> known, List<Diagnostic> findings) =>
+        of.Find(name) is { } value ? new OperationFields(value, $"{path}.{name}", lines, known, findings) : null;
+
+    private static LeadMove? LeadOf(OperationFields of, string name, string path, JsonFields lines, List<Diagnostic> findings)
+    {
+        if (Inner(of, name, path, lines, s_leadFields, findings) is not { } lead) return null;
+        lead.Required("shape");
+        if (lead.Choice<LeadShape>("shape") is not { } shape) return null;
+        var length = shape == LeadShape.Arc ? "radius" : "length";
+        lead.Required(length);
+        return lead.Number(length, 0.0, 1e3, includesLowest: false) is { } value ? new LeadMove(shape, value) : null;
+    }
+
+    private static PartTabs? TabsOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
+    {
+        if (Inner(of, "tabs", path, lines, s_tabFields, findings) is not { } tabs) return null;
+        foreach (var name in s_tabFields) tabs.Required(name);
+        return tabs.Whole("count", 1, 100) is { } count && tabs.Number("width", 0.0, 1e3, includesLowest: false) is { } width && tabs.Number("height", 0.0, LargestLength, includesLowest: false) is { } height ? new PartTabs(count, width, height) : null;
+    }
 
     private static OperationSelection SelectionOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
     {

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
@@ -12,6 +13,9 @@ namespace Engraver.Core.Operations;
 /// <param name="Strokes">Operation and pass of each stroke.</param>
 public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<StrokePass> Strokes)
 {
+    /// <summary>Leads and tabs for which there was not enough room.</summary>
+    public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
+
     /// <param name="ordered">In the order of the operations.</param>
     /// <param name="drawn">The drawing as contours, for its discontinuities.</param>
     /// <param name="options">Start of the tool.</param>
@@ -20,21 +24,28 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
         ArgumentNullException.ThrowIfNull(ordered);
         ArgumentNullException.ThrowIfNull(drawn);
         ArgumentNullException.ThrowIfNull(options);
-        var (table, cuts) = (new EntityTable(), new List<(OrderedStroke Stroke, int Rows, StrokePass Pass)>());
+        var (table, cuts, findings) = (new EntityTable(), new List<(OrderedStroke Stroke, int Rows, StrokePass Pass)>(), new List<Diagnostic>());
+        var parts = new PartClearance([.. ordered.Where(operation => operation.Shape.Operation.Kind == OperationKind.Profile).SelectMany(operation => operation.Shape.Part.Table.ToSegments())]);
         foreach (var operation in ordered)
         {
             var depths = operation.Shape.Operation.PassDepths();
+            var dressing = ProfileDressing.For(operation, parts);
             foreach (var (stroke, pass) in InOrder(operation, depths.Count))
             {
-                var rows = Append(table, operation, operation.Strokes[stroke], depths[pass]);
-                cuts.Add((operation.Strokes[stroke], rows, new StrokePass(operation.Shape.Operation, stroke, pass, depths[pass])));
+                var before = table.Count;
+                var isDressed = dressing?.Append(table, stroke, depths[pass]) == true;
+                if (!isDressed) Append(table, operation, operation.Strokes[stroke], depths[pass]);
+                var closed = operation.Strokes[stroke].Closed && (!isDressed || !dressing!.HasLeads(stroke));
+                cuts.Add((operation.Strokes[stroke] with { Closed = closed }, table.Count - before, new StrokePass(operation.Shape.Operation, stroke, pass, depths[pass])));
             }
+
+            findings.AddRange(dressing?.Findings ?? []);
         }
 
         var places = cuts.Select((cut, index) => (cut.Pass.Operation, cut.Pass.Stroke, cut.Pass.Pass, index)).ToDictionary(cut => (cut.Operation.Id, cut.Stroke, cut.Pass), cut => cut.index);
         var (strokes, curves) = (new StrokeList(table, cuts.Count), new CurveCount(drawing));
         foreach (var (stroke, rows, pass) in cuts) strokes.Add(stroke.Closed, rows, stroke.Inside < 0 ? -1 : places[(pass.Operation.Id, stroke.Inside, pass.Pass)], curves);
-        return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]);
+        return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]) { Findings = findings };
     }
 
     /// <summary>The strokes and passes in the order of cutting. A hole is drilled in one stroke, pecks included.</summary>
@@ -46,10 +57,8 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
             : Enumerable.Range(0, passes * strokes).Select(step => (step / passes, step % passes));
     }
 
-    /// <returns>Number of rows.</returns>
-    private static int Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)
+    private static void Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)
     {
-        var before = table.Count;
         if (operation.Shape.Operation.Kind == OperationKind.Drill)
         {
             foreach (var (from, to) in DrillMoves(operation.Shape.Operation, depth)) AppendRow(table, operation.Path, stroke.FirstRow, -from, -to);
@@ -58,8 +67,6 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
         {
             for (var row = stroke.FirstRow; row < stroke.FirstRow + stroke.Rows; row++) AppendRow(table, operation.Path, row, -depth, -depth);
         }
-
-        return table.Count - before;
     }
 
     /// <summary>Depths between which the tool moves straight up and down, after it has plunged to the surface.</summary>

@@ -65,8 +65,31 @@ internal static class OperationText
         if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
         if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));
         if (operation.Kind == OperationKind.Pocket) WritePocket(writer, operation);
+        Write(writer, "leadIn", operation.LeadIn);
+        Write(writer, "leadOut", operation.LeadOut);
+        if (operation.Start != StartRule.Nearest) writer.WritePropertyName("start");
+        if (operation.Start != StartRule.Nearest) writer.WriteRawValue($"{{\"rule\":\"{OperationFields.WordOf(operation.Start)}\"}}");
+        if (operation.Tabs is { } tabs) Write(writer, tabs);
         WriteNumber(writer, "peck", operation.Peck);
         WriteNumber(writer, "maxDiameter", operation.MaxDiameter);
+        writer.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter writer, string name, LeadMove? lead)
+    {
+        if (lead is null) return;
+        writer.WriteStartObject(name);
+        writer.WriteString("shape", OperationFields.WordOf(lead.Shape));
+        writer.WriteNumber(lead.Shape == LeadShape.Arc ? "radius" : "length", lead.Length);
+        writer.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter writer, PartTabs tabs)
+    {
+        writer.WriteStartObject("tabs");
+        writer.WriteNumber("count", tabs.Count);
+        writer.WriteNumber("width", tabs.Width);
+        writer.WriteNumber("height", tabs.Height);
         writer.WriteEndObject();
     }
 

@@ -10,6 +10,9 @@ namespace Engraver.Core.Sequencing;
 /// rises.</param>
 public readonly record struct StrokeMove(Segment Segment, int EntityIndex, double StartZ = 0.0, double EndZ = 0.0)
 {
+    /// <summary>What it is for.</summary>
+    public StrokeRole Role { get; init; }
+
     /// <summary>Every row of an analysed table.</summary>
     public static StrokeMove[] AllOf(EntityTable table)
     {
@@ -22,6 +25,6 @@ public readonly record struct StrokeMove(Segment Segment, int EntityIndex, doubl
     internal static StrokeMove From(in EntityRow row)
     {
         var isLevel = row.Curve?.IsLevel ?? true;
-        return new StrokeMove(row.ToSegment(), row.EntityIndex, isLevel ? row[EntitySlot.StartZ] : double.NaN, isLevel ? row[EntitySlot.EndZ] : double.NaN);
+        return new StrokeMove(row.ToSegment(), row.EntityIndex, isLevel ? row[EntitySlot.StartZ] : double.NaN, isLevel ? row[EntitySlot.EndZ] : double.NaN) { Role = (StrokeRole)(int)row[EntitySlot.Role] };
     }
 }

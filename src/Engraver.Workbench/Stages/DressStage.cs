@@ -16,6 +16,6 @@ internal sealed class DressStage() : JobStage<OrderedJob, OrderedJob>("Dress", s
     {
         if (job.Assignment is null) return job;
         var passes = OperationPasses.Of(job.Operations, job.Drawn!, job.Drawing, StageOptions.SequencingFor(job.Drawing, job.Settings));
-        return job with { Sequence = passes.Sequence, Cut = new CutTable(passes.Sequence.Table, null, []), Passes = passes.Strokes, Drawn = null };
+        return job with { Sequence = passes.Sequence, Cut = new CutTable(passes.Sequence.Table, null, []), Passes = passes.Strokes, Drawn = null, Findings = [.. job.Findings, .. passes.Findings] };
     }
 }

@@ -40,8 +40,8 @@ public sealed class OperationRunTests : IDisposable
         }
 
         Assert.Empty(outside.Take(5));
-        Assert.Equal(["hole", "mark", "outline", "pocket", "window"], deepest.Keys.Order(StringComparer.Ordinal));
-        foreach (var (place, depth) in (ReadOnlySpan<(string, double)>)[("hole", 4.0), ("mark", 0.2), ("outline", 3.0), ("pocket", 2.0), ("window", 3.0)]) Assert.Equal(-depth, deepest[place], 2);
+        Assert.Equal(["hole", "lead", "mark", "outline", "pocket", "tab", "window"], deepest.Keys.Order(StringComparer.Ordinal));
+        foreach (var (place, depth) in (ReadOnlySpan<(string, double)>)[("hole", 4.0), ("lead", 3.0), ("mark", 0.2), ("outline", 3.0), ("pocket", 2.0), ("tab", 2.0), ("window", 3.0)]) Assert.Equal(-depth, deepest[place], 2);
     }
 
     [Fact]
@@ -151,13 +151,19 @@ public sealed class OperationRunTests : IDisposable
     private static (string Place, double Depth) PlaceOf(double x, double y)
     {
         const double near = 0.02;
-        if (Math.Abs(double.Hypot(x - 68.0, y - 34.0) - (12.0 - Radius)) < near) return ("window", 3.0);
-        if (Math.Abs(FromRoundedRectangle(x, y, 0, 0, 90, 60, 6.0) - Radius) < near) return ("outline", 3.0);
+        var (fromWindow, fromOutline) = (double.Hypot(x - 68.0, y - 34.0) - (12.0 - Radius), FromRoundedRectangle(x, y, 0, 0, 90, 60, 6.0) - Radius);
+        if (Math.Abs(fromOutline) < near && IsTab(x, y)) return ("tab", 2.0);
+        if (Math.Abs(fromWindow) < near) return ("window", 3.0);
+        if (Math.Abs(fromOutline) < near) return ("outline", 3.0);
+        if (fromOutline is > 0.0 and < 2.0 + near || fromWindow is > -2.0 - near and < 0.0) return ("lead", 3.0);
         if (new[] { (7, 7), (83, 7), (83, 53), (7, 53) }.Any(hole => double.Hypot(x - hole.Item1, y - hole.Item2) < near)) return ("hole", 4.0);
         if (FromRoundedRectangle(x, y, 14, 20, 48, 48, 4.0) < -Radius + near && double.Hypot(x - 31.0, y - 34.0) > 6.0 + Radius - near) return ("pocket", 2.0);
         if (y < 19.0 && FromRoundedRectangle(x, y, 0, 0, 90, 60, 6.0) < 0.0) return ("mark", 0.2);
         return ("nothing", 0.0);
     }
+
+    /// <summary>At a tab of the outline: two on its lower and two on its upper side, 3 mm wide and 3 mm for the tool.</summary>
+    private static bool IsTab(double x, double y) => (y < 0.0 || y > 60.0) && (x is (> 7.55 and < 13.45) or (> 76.55 and < 82.45));
 
     /// <summary>Signed distance from a rounded rectangle, negative inside.</summary>
     private static double FromRoundedRectangle(double x, double y, double left, double bottom, double right, double top, double radius)

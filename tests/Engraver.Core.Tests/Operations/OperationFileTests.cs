@@ -14,7 +14,8 @@ public class OperationFileTests
             { "version": "1.0", "tools": {{Tools}}, // comments and trailing commas are allowed
               "operations": [
                 { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
-                  "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level" },
+                  "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
+                  "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5 }, "start": { "rule": "top" }, "tabs": { "count": 4, "width": 3, "height": 1 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
                 { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, }
               ] }
@@ -25,6 +26,7 @@ public class OperationFileTests
         Assert.Equal(("CUT", "1 FF0000", "1A"), (outline.Select.Layers[0], string.Join(' ', outline.Select.Colours), outline.Select.Handles[0]));
         Assert.Equal((500.0, 150.0, 9000.0, 0.5, 3.0, 1.0, 0.2, 0.1, 2), (outline.Feed!.Value, outline.Plunge!.Value, outline.Spindle!.Value, outline.StartDepth, outline.Depth!.Value, outline.DepthPerPass!.Value, outline.Finish, outline.Stock, outline.Repeats));
         Assert.Equal((CutDirection.Climb, PassOrder.Level), (outline.Direction, outline.Order));
+        Assert.Equal((new LeadMove(LeadShape.Arc, 2.0), new LeadMove(LeadShape.Line, 1.5), StartRule.Top, new PartTabs(4, 3.0, 1.0)), (outline.LeadIn!, outline.LeadOut!, outline.Start, outline.Tabs!));
         Assert.Equal((true, 0.3, true, 30.0), (plan.Operations[1].Select.IsRest, plan.Operations[1].Stepover, plan.Operations[1].IsZigzag, plan.Operations[1].AngleDegrees));
         Assert.Equal((2.0, 4.0), (plan.Operations[2].Peck!.Value, plan.Operations[2].MaxDiameter!.Value));
         var tool = plan.ToolOf(outline);
@@ -56,6 +58,11 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "repeats": 1.5 }""", "OPR0003", "operations[0].repeats", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "on": "yes" }""", "OPR0003", "operations[0].on", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }, { "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }""", "OPR0003", "operations", 2)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "length": 2} }""", "OPR0004", "operations[0].leadIn.radius", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "start": {"rule": "corner"} }""", "OPR0003", "operations[0].start.rule", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 0, "width": 1, "height": 0.5} }""", "OPR0003", "operations[0].tabs.count", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 1} }""", "OPR0003", "operations[0].tabs.height", 3)]
+    [InlineData("""{ "id": "o1", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 0.5} }""", "OPR0003", "operations[0].tabs", 3)]
     [InlineData("[1]", "OPR0003", "operations[0]", 2)]
     [InlineData("", "OPR0003", "operations", 2)]
     public void What_is_wrong_is_named_with_its_line(string operations, string id, string field, long line)

@@ -61,5 +61,5 @@ internal static class JournalSettings
     private static string Name(string key) => key.StartsWith(Font, StringComparison.Ordinal) ? Wording.Get("Resume.Font", key[Font.Length..]) : Setting(key)?.Name ?? key;
 
     private static string Value(string key, IReadOnlyDictionary<string, string> words) =>
-        words.GetValueOrDefault(key) is { } word ? word.Length > LongestShown ? $"SHA-256 {ContentHash.OfText(word)[..ShownDigits]}" : $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");
+        words.GetValueOrDefault(key) is { } word ? word.Length > LongestShown ? Wording.Get("Resume.Hash", ContentHash.OfText(word)[..ShownDigits]) : $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");
 }

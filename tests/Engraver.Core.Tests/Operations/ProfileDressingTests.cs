@@ -1,0 +1,127 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.TestKit;
+
+namespace Engraver.Core.Tests.Operations;
+
+/// <summary>Starts, leads and tabs of closed profiles.</summary>
+public class ProfileDressingTests
+{
+    private const double Radius = 1.0;
+
+    private const string Dressed = """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "direction": "climb", "start": {"rule": "longest"}, "leadIn": {"shape": "arc", "radius": 2}, "leadOut": {"shape": "line", "length": 1.5}, "tabs": {"count": 3, "width": 2, "height": 1} }""";
+
+    [Fact]
+    public void A_lead_is_tangent_in_the_waste_and_a_tab_is_as_wide_and_high_as_stated()
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 40).Build(), Dressed);
+        var (rough, last) = (job.Path.Strokes[0], job.Path.Strokes[1]);
+
+        Assert.Empty(job.Passes.Findings);
+        Assert.Empty(job.CheckOf(job.Path));
+        var lead = last.Moves[0];
+        Assert.Equal((StrokeRole.Lead, SegmentKind.Arc, 2.0), (lead.Role, lead.Segment.Kind, lead.Segment.Arc.Radius));
+        Assert.Equal(0.0, lead.Segment.EndTangent.TurnTo(last.Moves[1].Segment.StartTangent).Degrees, 9);
+        Assert.Equal((StrokeRole.Lead, 1.5), (last.Moves[^1].Role, Math.Round(last.Moves[^1].Segment.Length, 9)));
+        Assert.DoesNotContain(rough.Moves, move => move.Role == StrokeRole.Tab); // 1.5 mm deep, the tabs begin at 2 mm
+        var tabs = last.Moves.Where(move => move.Role == StrokeRole.Tab && move.Segment.Length > 0.0).ToList();
+        Assert.Equal([(4.0, -2.0), (4.0, -2.0), (4.0, -2.0)], tabs.Select(tab => (Math.Round(tab.Segment.Length, 9), tab.StartZ)));
+        Assert.All(last.Moves.Where(move => move.Role == StrokeRole.Cut), move => Assert.Equal((-3.0, -3.0), (move.StartZ, move.EndZ)));
+    }
+
+    [Theory]
+    [InlineData("longest", -1.0, 20.0)]
+    [InlineData("top", 20.0, 41.0)]
+    public void The_start_is_in_the_middle_of_its_side(string rule, double x, double y)
+    {
+        var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Line(0, 0, 40, 0), Line(40, 0, 40, 40), Line(40, 40, 0, 40), Line(0, 40, 0, 0)).Build();
+        if (rule == "longest") drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Line(0, 0, 30, 0), Line(30, 0, 30, 40), Line(30, 40, 0, 40), Line(0, 40, 0, 0)).Build();
+        var start = new OperationJob(drawing, $$"""{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "start": {"rule": "{{rule}}"} }""").Path.Strokes[0].Start;
+
+        Assert.True(start.DistanceTo(new Point2D(x, y)) < 1e-9 || (rule == "longest" && start.DistanceTo(new Point2D(31.0, y)) < 1e-9), $"{start}");
+    }
+
+    [Fact]
+    public void A_lead_without_room_is_shortened_or_left_out_and_named()
+    {
+        // A slot of 2.5 mm: the tool of 2 mm has 0.25 mm on each side. A gap of 3 mm between two squares leaves 1 mm.
+        var slot = new OperationJob(new DrawingBuilder().Square(0, 0, 2.1).Build(), """{ "id": "cut", "kind": "profile", "side": "inside", "select": "rest", "tool": 1, "depth": 3, "leadIn": {"shape": "arc", "radius": 2} }""");
+        var gap = new OperationJob(new DrawingBuilder().Square(0, 0, 20).Square(23, 0, 20).Build(), """{ "id": "cut", "kind": "profile", "side": "outside", "select": "rest", "tool": 1, "depth": 3, "leadIn": {"shape": "line", "length": 30} }""");
+
+        Assert.Contains("OPR0021", slot.Passes.Findings.Select(finding => finding.Id));
+        Assert.DoesNotContain(slot.Path.Strokes[0].Moves, move => move.Role == StrokeRole.Lead);
+        Assert.Empty(slot.CheckOf(slot.Path));
+        Assert.All(gap.Path.Strokes, stroke => Assert.All(OperationJob.PointsOf(stroke, 0.05), place => Assert.True(DistanceToSquares(place) >= Radius - 1e-3, $"{place}")));
+
+        static double DistanceToSquares(Point2D place) => Math.Min(ToSquare(place, 0, 0, 20), ToSquare(place, 23, 0, 20));
+    }
+
+    /// <summary>Shapes at random places with holes in them, some near others. What is checked uses the drawn segments only.</summary>
+    [Fact]
+    public void No_lead_enters_a_part_tabs_are_left_and_the_wall_is_on_the_right()
+    {
+        for (var seed = 0; seed < TestExtent.Cases(40, 2000, "ENGRAVER_OPERATION_SHAPES"); seed++)
+        {
+            var (drawing, outer) = Shapes(new Random(seed));
+            var job = new OperationJob(drawing, Dressed);
+            var drawn = job.Assignment.Parts[0].Table.ToSegments();
+            Assert.True(job.Shapes[0].Faults.Count == 0, $"{seed}: {string.Join(' ', job.Shapes[0].Faults.Select(fault => fault.Sentence))}");
+            Assert.Empty(job.CheckOf(job.Path));
+            foreach (var stroke in job.Path.Strokes)
+            {
+                Assert.All(OperationJob.PointsOf(stroke, 0.02), place => Assert.True(drawn.Min(segment => segment.DistanceTo(place)) >= Radius - 0.002, $"{seed}: {place}"));
+                var contour = stroke with { Moves = [.. stroke.Moves.Where(move => move.Role != StrokeRole.Lead)] };
+                var isOutside = outer.Any(centre => OperationJob.AreaOf([.. OperationJob.PointsOf(contour, 0.1)]) != 0.0 && IsAround(contour, centre) && drawn.Min(segment => segment.DistanceTo(contour.Start)) > 0.0 && Math.Abs(OperationJob.AreaOf([.. OperationJob.PointsOf(contour, 0.1)])) > 200.0);
+                Assert.Equal(isOutside, OperationJob.AreaOf([.. OperationJob.PointsOf(contour, 0.1)]) < 0.0);
+                var up = stroke.Moves.Where(move => move.Role == StrokeRole.Tab && move.Segment.Length > 0.0).ToList();
+                Assert.All(up, move => Assert.Equal((4.0, -2.0), (Math.Round(move.Segment.Length, 6), move.StartZ)));
+                Assert.InRange(up.Count, 0, 3);
+                if (isOutside && stroke.Moves[0].StartZ == -3.0) Assert.True(up.Count >= 2, $"{seed}: {up.Count} tabs");
+            }
+        }
+    }
+
+    /// <summary>Squares, rounded squares and circles of 20 to 30 mm in a grid with gaps of 3 mm or more, each with a round hole or none.</summary>
+    private static (Drawing Drawing, List<Point2D> Centres) Shapes(Random random)
+    {
+        var (builder, centres) = (new DrawingBuilder(), new List<Point2D>());
+        for (var column = 0; column < 3; column++)
+        {
+            for (var row = 0; row < 2; row++)
+            {
+                var size = 20.0 + (10.0 * random.NextDouble());
+                var (x, y) = ((column * 33.0) + random.NextDouble(), (row * 33.0) + random.NextDouble());
+                centres.Add(new Point2D(x + (size / 2.0), y + (size / 2.0)));
+                _ = random.Next(3) switch
+                {
+                    0 => builder.Square(x, y, size),
+                    1 => builder.Circle(x + (size / 2.0), y + (size / 2.0), size / 2.0),
+                    _ => builder.Curve(CurveType.LwPolyline, Rounded(x, y, size, 1.0 + (3.0 * random.NextDouble()))),
+                };
+                if (random.Next(2) == 0) builder.Circle(x + (size / 2.0), y + (size / 2.0), 1.5 + (4.0 * random.NextDouble()));
+            }
+        }
+
+        return (builder.Build(), centres);
+    }
+
+    private static Segment[] Rounded(double x, double y, double size, double r) =>
+    [
+        Line(x + r, y, x + size - r, y), Corner(x + size - r, y + r, r, 270), Line(x + size, y + r, x + size, y + size - r), Corner(x + size - r, y + size - r, r, 0),
+        Line(x + size - r, y + size, x + r, y + size), Corner(x + r, y + size - r, r, 90), Line(x, y + size - r, x, y + r), Corner(x + r, y + r, r, 180),
+    ];
+
+    private static Segment Corner(double x, double y, double r, double from) => Segment.FromArc(new ArcSegment(new Point2D(x, y), r, Angle.FromDegrees(from), Angle.FromDegrees(90.0)));
+
+    private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
+
+    private static bool IsAround(ToolpathStroke stroke, Point2D place)
+    {
+        var points = OperationJob.PointsOf(stroke, 0.1).ToList();
+        return points.Max(point => point.X) > place.X && points.Min(point => point.X) < place.X && points.Max(point => point.Y) > place.Y && points.Min(point => point.Y) < place.Y;
+    }
+
+    private static double ToSquare(Point2D place, double x, double y, double side) => double.Hypot(Math.Max(Math.Max(x - place.X, place.X - x - side), 0.0), Math.Max(Math.Max(y - place.Y, place.Y - y - side), 0.0));
+}
