@@ -13,6 +13,8 @@ public static class SidecarRules
 
     public static readonly DiagnosticRule SetAside = new("SID0005", Severity.Warning, "file", "aside");
 
+    public static readonly DiagnosticRule OperationsNotRun = new("SID0006", Severity.Warning, "file", "reason");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [Damaged, OtherVersion, Unreadable, DrawingChanged, SetAside];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [Damaged, OtherVersion, Unreadable, DrawingChanged, SetAside, OperationsNotRun];
 }

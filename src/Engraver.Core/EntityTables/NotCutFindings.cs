@@ -28,9 +28,14 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
             if (taken[layer]) Add(type, count, source);
         }
 
-        foreach (var entity in notTaken ?? []) Add(drawing.Entities[entity].Type.ToDxfName(), 1, drawing.SourceOf(entity));
+        var types = new HashSet<string>();
+        foreach (var entity in notTaken ?? [])
+        {
+            types.Add(drawing.Entities[entity].Type.ToDxfName());
+            Add(drawing.Entities[entity].Type.ToDxfName(), 1, drawing.SourceOf(entity));
+        }
 
-        return new NotCutFindings(counts, first ?? default) { CutsTexts = drawing.Cut.HasFlag(CutChoice.Text) };
+        return new NotCutFindings(counts, first ?? default) { CutsTexts = drawing.Cut.HasFlag(CutChoice.Text), NotTaken = types };
 
         void Add(string type, int count, SourceRef source)
         {
@@ -38,6 +43,9 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
             if (first is not { } known || source.Line < known.Line) first = source;
         }
     }
+
+    /// <summary>The types of curves that no operation takes.</summary>
+    private IReadOnlySet<string> NotTaken { get; init; } = new HashSet<string>();
 
     /// <summary>Texts are cut: those that remain have a fault that is reported.</summary>
     private bool CutsTexts { get; init; }
@@ -53,8 +61,9 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
     {
         get
         {
-            var ways = Counts.Keys.ToLookup(WayOf);
+            var ways = Counts.Keys.Where(type => !NotTaken.Contains(type)).ToLookup(WayOf);
             var parts = new List<string>();
+            if (NotTaken.Count > 0) parts.Add(Wording.Get("NotCutFindings.NotTaken", string.Join(", ", NotTaken.Order(StringComparer.Ordinal))));
             if (ways.Contains("NotCutFindings.Texts")) parts.Add(Wording.Get(CutsTexts ? "NotCutFindings.FaultyTexts" : "NotCutFindings.Texts"));
             if (ways.Contains("NotCutFindings.Points")) parts.Add(Wording.Get("NotCutFindings.Points"));
             if (ways.Contains("NotCutFindings.Outlines")) parts.Add(Wording.Get("NotCutFindings.Outlines", string.Join(", ", ways["NotCutFindings.Outlines"].Select(ChoiceOf).Distinct())));

@@ -60,6 +60,15 @@ public sealed record Operation
     /// <summary>Passes of a pocket are straight rows; otherwise they are parallel to its contour.</summary>
     public bool IsZigzag { get; init; }
 
+    /// <summary>Distance of the lines of a fill, mm; 0 for another kind.</summary>
+    public double Spacing { get; init; }
+
+    /// <summary>A fill has a second set of lines at right angles to the first.</summary>
+    public bool IsCross { get; init; }
+
+    /// <summary>Distance of the lines of a fill from the contours, mm; null: the radius of the tool.</summary>
+    public double? Inset { get; init; }
+
     /// <summary>Direction of straight rows, degrees counter-clockwise from the X axis.</summary>
     public double AngleDegrees { get; init; }
 

@@ -29,7 +29,7 @@ public static class OperationFile
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
-        "leadIn", "leadOut", "start", "tabs", "side", "stepover", "zigzag", "angle", "peck", "maxDiameter",
+        "leadIn", "leadOut", "start", "tabs", "side", "spacing", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter",
     ];
 
     /// <summary>Reads a file. Every error is a diagnostic with its line.</summary>
@@ -163,6 +163,7 @@ public static class OperationFile
         var before = findings.Count;
         var of = new OperationFields(value, path, lines, s_operationFields, findings);
         foreach (var name in (string[])["id", "kind", "select", "tool"]) of.Required(name);
+        if (of.Find("kind") is { ValueKind: JsonValueKind.String } kind && kind.GetString() == "fill") of.Required("spacing");
         var operation = new Operation
         {
             Id = of.Text("id") ?? "",
@@ -183,6 +184,9 @@ public static class OperationFile
             Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
             Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,
+            Spacing = of.Number("spacing", 0.0, 1e3, includesLowest: false) ?? 0.0,
+            IsCross = of.Switch("cross", false),
+            Inset = of.Number("inset", 0.0, 1e3, includesLowest: false),
             Stepover = of.Number("stepover", 0.0, 0.99, includesLowest: false) ?? 0.4,
             IsZigzag = of.Switch("zigzag", false),
             AngleDegrees = of.Number("angle", -360.0, 360.0, includesLowest: true) ?? 0.0,
@@ -224,8 +228,8 @@ public static class OperationFile
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
         ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
-        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket]), ("peck", [OperationKind.Drill]), ("maxDiameter", [OperationKind.Drill]),
-        ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket]),
+        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("maxDiameter", [OperationKind.Drill]),
+        ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];
 
     /// <summary>The fields of an object in an operation; null when it is missing.</summary>

@@ -12,6 +12,9 @@ public enum OperationKind
     /// <summary>The inside of closed contours is cleared.</summary>
     Pocket,
 
+    /// <summary>The inside of closed contours is filled with parallel lines.</summary>
+    Fill,
+
     /// <summary>The tool moves straight down at the centres of circles.</summary>
     Drill,
 }

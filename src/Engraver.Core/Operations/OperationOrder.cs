@@ -10,6 +10,9 @@ namespace Engraver.Core.Operations;
 /// the nearest one, pockets the order of their passes.</summary>
 public static class OperationOrder
 {
+    /// <summary>Join tolerance of a computed path, whose ends coincide except for rounding, mm.</summary>
+    private const double ExactJoint = 1e-6;
+
     /// <param name="shapes">In the order of the operations.</param>
     /// <param name="drawing">The drawing of the entity indices.</param>
     /// <param name="options">Tolerances, order, and the start of the tool.</param>
@@ -31,7 +34,12 @@ public static class OperationOrder
     private static OrderedOperation Sequenced(ShapedOperation shape, Drawing drawing, SequencingOptions options)
     {
         // A tool path meets exactly, and its segments may be shorter than the join tolerance.
-        var exact = shape.Operation.Kind == OperationKind.Profile ? options with { KeepDuplicates = true, ArcTolerance = null } : options;
+        var exact = shape.Operation.Kind switch
+        {
+            OperationKind.Profile => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = Math.Min(options.JoinTolerance, ExactJoint) },
+            OperationKind.Fill => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = 0.0 },
+            _ => options,
+        };
         var sequence = Sequencer.Sequence(shape.Path, drawing, exact);
         var (strokes, row) = (new List<OrderedStroke>(), 0);
         foreach (var stroke in sequence.Strokes)

@@ -45,6 +45,14 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
         return machine with { Height = drive with { CutDepth = 0.0, DepthPerPass = null, PlungeMmPerMinute = plunge } };
     }
 
+    /// <summary>The plan with the handles that the entities of its selections have in another file.</summary>
+    /// <param name="written">The handles of an entity there; none for an entity that is not in it.</param>
+    public OperationPlan WithHandles(Func<string, IReadOnlyList<string>> written)
+    {
+        ArgumentNullException.ThrowIfNull(written);
+        return Operations.All(operation => operation.Select.Handles.Count == 0) ? this : new OperationPlan([.. Operations.Select(operation => operation with { Select = operation.Select.WithHandles(written) })], Tools);
+    }
+
     public bool Equals(OperationPlan? other) => other is not null && other._text == _text;
 
     public override bool Equals(object? obj) => Equals(obj as OperationPlan);

@@ -21,6 +21,9 @@ public sealed record OperationSelection
     /// <summary>Handles, hexadecimal.</summary>
     public IReadOnlyList<string> Handles { get; init; } = [];
 
+    /// <summary>The selection with other handles; one for which there is none remains, so that its absence is reported.</summary>
+    internal OperationSelection WithHandles(Func<string, IReadOnlyList<string>> written) => this with { Handles = [.. Handles.SelectMany(handle => written(handle) is { Count: > 0 } others ? others : [handle]).Distinct()] };
+
     /// <summary>For each entity of a drawing, true when it is named; for the rest, false.</summary>
     public Func<int, bool> NamedIn(Drawing drawing)
     {

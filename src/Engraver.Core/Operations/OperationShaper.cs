@@ -4,6 +4,7 @@ using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
+using Engraver.Core.Offsets.Pieces;
 using Engraver.Core.Pockets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
@@ -23,6 +24,7 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         {
             OperationKind.Profile => Profile(part),
             OperationKind.Pocket => Pocket(part),
+            OperationKind.Fill => Fill(part),
             OperationKind.Drill => Drill(part),
             _ => new ShapedOperation(part, AtHeight(part.Table), null),
         };
@@ -74,6 +76,36 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
             Findings = [.. chained.Diagnostics, .. findings[false].Where(finding => finding.Rule != PocketRules.WithoutInside)],
             Faults = [.. findings[true], .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
         };
+    }
+
+    /// <summary>Largest number of lines of a fill.</summary>
+    private const double MostLines = 1e6;
+
+    private ShapedOperation Fill(OperationPart part)
+    {
+        var (operation, chained) = (part.Operation, Sequencer.Chain(AtHeight(part.Table), drawing, options));
+        List<Diagnostic> faults = [.. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))];
+        var path = new EntityTable();
+        var closed = DrawnContours.From(chained).Where(contour => contour.Closed).ToList();
+        if (closed.Count == 0 || faults.Count > 0) return new ShapedOperation(part, path, null) { Findings = chained.Diagnostics, Faults = faults };
+        var box = chained.Segments.ToArray().Aggregate(Bounds2D.Empty, (bounds, segment) => bounds.Union(segment.Bounds));
+        if ((box.Width + box.Height) / operation.Spacing > MostLines) return new ShapedOperation(part, path, null) { Faults = [OperationRules.ValueInvalid.At(default, "spacing", FactText.Of(operation.Spacing), FactText.Of((box.Width + box.Height) / MostLines))] };
+        var inset = operation.Inset ?? (part.Tool.Diameter / 2.0);
+        var reduced = ContourOffset.Offset(closed, inset, OffsetSide.In, OffsetOptions.Round(maxErrorMm));
+        faults.AddRange(reduced.Unresolved.Select(place => KerfRules.NotCompensated.At(default, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place }));
+        List<PathPiece> loops = [.. reduced.Loops.SelectMany(loop => loop.Segments).Where(segment => segment.Length > 0.0).Select(segment => PathPiece.FromSegment(segment))];
+        var (entities, clearance) = (new NearestEntity(chained.Kept), new PartClearance(chained.Segments.ToArray()));
+        foreach (var angle in operation.IsCross ? (double[])[operation.AngleDegrees, operation.AngleDegrees + 90.0] : [operation.AngleDegrees])
+        {
+            foreach (var row in ZigzagRows.Across(loops, Angle.FromDegrees(angle), operation.Spacing))
+            {
+                var line = row.Piece.ToSegment();
+                path.Append(EntitySlots.Of(line, 0.0), entities.Of(line.Start), null);
+                if (((Point2D[])[line.Start, line.PointAt(0.5), line.End]).Any(place => clearance.At(place) < inset - (2.0 * maxErrorMm))) faults.Add(OperationRules.NotAsStated.At(default, operation.Title, Wording.Get("OperationCheck.line"), FactText.Of(line.Start.X), FactText.Of(line.Start.Y)) with { Place = line.Start });
+            }
+        }
+
+        return new ShapedOperation(part, path, null) { Findings = chained.Diagnostics, Faults = faults };
     }
 
     /// <summary>The contours without the material that is left at their walls.</summary>

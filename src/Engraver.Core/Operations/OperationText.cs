@@ -65,6 +65,7 @@ internal static class OperationText
         if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
         if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));
         if (operation.Kind == OperationKind.Pocket) WritePocket(writer, operation);
+        if (operation.Kind == OperationKind.Fill) WriteFill(writer, operation);
         Write(writer, "leadIn", operation.LeadIn);
         Write(writer, "leadOut", operation.LeadOut);
         if (operation.Start != StartRule.Nearest) writer.WritePropertyName("start");
@@ -91,6 +92,14 @@ internal static class OperationText
         writer.WriteNumber("width", tabs.Width);
         writer.WriteNumber("height", tabs.Height);
         writer.WriteEndObject();
+    }
+
+    private static void WriteFill(Utf8JsonWriter writer, Operation operation)
+    {
+        writer.WriteNumber("spacing", operation.Spacing);
+        writer.WriteBoolean("cross", operation.IsCross);
+        writer.WriteNumber("angle", operation.AngleDegrees);
+        WriteNumber(writer, "inset", operation.Inset);
     }
 
     private static void WritePocket(Utf8JsonWriter writer, Operation operation)

@@ -46,6 +46,19 @@ internal sealed class ZigzagRows
         return rows;
     }
 
+    /// <summary>Rows at a fixed distance across an area, without regard to what they clear. The rows of neighbouring areas continue each other.</summary>
+    /// <param name="loops">The boundary of the area: closed loops, inside of an odd number of them.</param>
+    /// <param name="spacing">Distance of the rows, mm.</param>
+    public static IReadOnlyList<ZigzagRow> Across(IReadOnlyList<PathPiece> loops, Angle angle, double spacing)
+    {
+        var rows = new ZigzagRows(angle) { Ends = [] };
+        var extent = loops.SelectMany(rows.ExtentOf).ToList();
+        if (extent.Count == 0) return rows.Rows;
+        var low = Math.Floor(extent.Min() / spacing) * spacing;
+        rows.Sweep([.. loops.SelectMany(rows.Monotone)], low, spacing, (int)Math.Ceiling((extent.Max() - low) / spacing));
+        return rows.Rows;
+    }
+
     /// <summary>Smallest and largest coordinate across the rows.</summary>
     private IEnumerable<double> ExtentOf(PathPiece piece) => Monotone(piece).SelectMany(part => (double[])[Across(part.Start), Across(part.End)]);
 

@@ -29,7 +29,7 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
         var chained = job.Chained;
         var contours = ContoursOf(chained);
         var result = ContourOffset.Offset(contours, distance, side, options);
-        return new OffsetDrawing(result, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
+        return new OffsetDrawing(result, [.. drawing.Diagnostics, .. PocketDrawing.OperationsRefused(settings, "offset"), .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
     }
 
     /// <summary>The contours of a chained drawing, in drawing direction.</summary>

@@ -28,8 +28,11 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         var chained = job.Chained;
         var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), options);
         var cuts = PocketLevels.Of(result, options, depths);
-        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : PocketFindings.Of(result, options), .. Findings(cuts, depths)]);
+        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. OperationsRefused(settings, "pocket"), .. job.Findings, .. CheckStage.TextFaultsOf(job), .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : PocketFindings.Of(result, options), .. Findings(cuts, depths)]);
     }
+
+    /// <summary>The error for a result that is made from the drawing alone, if operations are requested for it.</summary>
+    internal static IEnumerable<Diagnostic> OperationsRefused(DrawingSettings settings, string target) => settings.Operations is null ? [] : [OperationRules.NotPosted.At(default, target)];
 
     /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>
     public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Cuts.SelectMany((cut, index) => EntitiesOf(cut, index + 1))]);

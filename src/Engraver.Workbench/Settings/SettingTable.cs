@@ -46,7 +46,7 @@ public static class SettingTable
 
     public static OperationsSetting Operations { get; } = new("operations") { Command = "OPERATION", HasOwnCommand = true };
 
-    public static ToolSetting Tool { get; } = new("tool", s => s.Tool, (s, v) => s with { Tool = (int)v }) { Argument = "N", Min = 1, Max = 9999, Whole = true, Command = "OPERATION", HasOwnCommand = true };
+    public static ToolSetting Tool { get; } = new("tool-number", s => s.Tool, (s, v) => s with { Tool = (int)v }) { Argument = "N", Min = 1, Max = 9999, Whole = true, Command = "OPERATION", HasOwnCommand = true };
 
     public static MachineSetting Machine { get; } = new("machine") { Command = "CNCPROFILE", HasOwnCommand = true };
 

@@ -12,10 +12,10 @@ public sealed class ToolSetting(string key, Func<DrawingSettings, double> get, F
     public override string? Conflict(DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(settings);
-        return settings is { Tool: > 0, Operations: null } ? Wording.Get("Setting.tool.NeedsOperations") : null;
+        return settings is { Tool: > 0, Operations: null } ? Wording.Get("Setting.tool-number.NeedsOperations") : null;
     }
 
-    public override ParsedInput<double> ReadOption(string typed) => base.ReadOption(typed) is ParsedInput<double>.Value { Result: var number } value && number == Math.Floor(number) && number <= Max ? value : new ParsedInput<double>.Invalid(Wording.Get("Setting.tool.Invalid", typed, Max));
+    public override ParsedInput<double> ReadOption(string typed) => base.ReadOption(typed) is ParsedInput<double>.Value { Result: var number } value && number == Math.Floor(number) && number <= Max ? value : new ParsedInput<double>.Invalid(Wording.Get("Setting.tool-number.Invalid", typed, Max));
 
     protected override string? WordOf(double value) => value == 0.0 ? null : base.WordOf(value);
 }

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Engraver.Core.Operations;
 
 namespace Engraver.Workbench.Sidecars;
 
@@ -11,14 +12,23 @@ public sealed record Sidecar
 
     public TrajectoryList Trajectories { get; init; } = TrajectoryList.Empty;
 
-    /// <summary>Members that this program does not use (pins, startPoints, operations), in the order of the file.</summary>
+    /// <summary>The operations of the drawing; null for none.</summary>
+    public OperationPlan? Operations { get; init; }
+
+    /// <summary>Why the operations of the file are kept and not run; null if they are run, or if there are none.</summary>
+    public string? WhyNotRun { get; init; }
+
+    /// <summary>Members that this program does not use (pins, startPoints, operations that it cannot run), in the order of the file.</summary>
     public IReadOnlyList<KeyValuePair<string, JsonElement>> UnknownMembers { get; init; } = [];
 
     /// <summary>Minor version of the file if it is newer than this program; it is preserved.</summary>
     public int Minor { get; init; }
 
     /// <summary>True if there is nothing to save.</summary>
-    public bool IsEmpty => Trajectories.All.Count == 0 && UnknownMembers.Count == 0;
+    public bool IsEmpty => Trajectories.All.Count == 0 && Operations is null && UnknownMembers.Count == 0;
+
+    /// <summary>The same with other operations, which replace those that cannot be run.</summary>
+    public Sidecar WithOperations(OperationPlan? operations) => this with { Operations = operations, WhyNotRun = null, UnknownMembers = [.. UnknownMembers.Where(member => member.Key != SidecarText.OperationsMember)] };
 
     /// <summary>True if both have the same file content.</summary>
     public bool IsSavedIn(Sidecar other) => (IsEmpty && other.IsEmpty) || this == other;

@@ -32,7 +32,9 @@ public static class SidecarFile
             if (!File.Exists(path)) return new SidecarReading(null, null, []);
             var text = File.ReadAllText(path);
             var (sidecar, fingerprint) = SidecarText.Read(text);
-            return new SidecarReading(sidecar, text, fingerprint is null || fingerprint == FingerprintOf(drawing) ? [] : [SidecarRules.DrawingChanged.At(default, name)]);
+            List<Diagnostic> findings = fingerprint is null || fingerprint == FingerprintOf(drawing) ? [] : [SidecarRules.DrawingChanged.At(default, name)];
+            if (sidecar.WhyNotRun is { } why) findings.Add(SidecarRules.OperationsNotRun.At(default, name, why.TrimEnd('.')));
+            return new SidecarReading(sidecar, text, findings);
         }
         catch (JsonException damaged)
         {

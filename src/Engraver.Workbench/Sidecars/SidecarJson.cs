@@ -14,6 +14,8 @@ internal sealed class SidecarJson
 
     public List<SidecarTrajectoryJson>? Trajectories { get; set; }
 
+    public JsonElement? Operations { get; set; }
+
     [JsonExtensionData]
     public Dictionary<string, JsonElement>? Others { get; set; }
 }

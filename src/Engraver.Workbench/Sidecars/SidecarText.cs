@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using Engraver.Core.Operations;
 using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
@@ -13,7 +14,9 @@ public static class SidecarText
     public const int Major = 1;
 
     /// <summary>A higher minor version only adds members, which are preserved.</summary>
-    public const int Minor = 1;
+    public const int Minor = 2;
+
+    internal const string OperationsMember = "operations";
 
     /// <param name="drawing">Name of the drawing's file.</param>
     /// <param name="fingerprint">Fingerprint of its curves.</param>
@@ -27,6 +30,7 @@ public static class SidecarText
             Drawing = new DrawingJson(drawing, fingerprint),
             TrajectorySettings = new TrajectorySettingsJson(settings.MaxErrorMm, settings.DynamicDensity, settings.SegmentLengthMm, settings.PlaneZ, CornersWord(settings.Corners), sidecar.Trajectories.NextNumber),
             Trajectories = [.. sidecar.Trajectories.All.Select(TrajectoryEntry.ToJson)],
+            Operations = sidecar.Operations is { } plan ? Element(plan.ToString()) : null,
             Others = new Dictionary<string, JsonElement>(sidecar.UnknownMembers),
         };
         using var memory = new MemoryStream();
@@ -50,7 +54,23 @@ public static class SidecarText
         if (all.GroupBy(one => one.Name, StringComparer.OrdinalIgnoreCase).FirstOrDefault(same => same.Count() > 1) is { } twice) throw InvalidFile(Wording.Get("Sidecar.NameTwice", twice.Key));
         var list = new TrajectoryList { All = all, Settings = SettingsOf(json.TrajectorySettings), NextNumber = json.TrajectorySettings?.NextNumber ?? all.Count };
         if (list.NextNumber < 0) throw InvalidFile("trajectorySettings.nextNumber");
-        return (new Sidecar { Trajectories = list, UnknownMembers = [.. json.Others ?? []], Minor = minor }, json.Drawing?.Fingerprint);
+        var sidecar = new Sidecar { Trajectories = list, UnknownMembers = [.. json.Others ?? []], Minor = minor };
+        return (json.Operations is { } operations ? WithOperations(sidecar, operations) : sidecar, json.Drawing?.Fingerprint);
+    }
+
+    /// <summary>Operations that a later version has written, or that are damaged, are kept as they are.</summary>
+    private static Sidecar WithOperations(Sidecar sidecar, JsonElement operations)
+    {
+        var read = OperationFile.Read(operations.GetRawText(), name => (null, name));
+        return read.Plan is { } plan
+            ? sidecar with { Operations = plan }
+            : sidecar with { UnknownMembers = [.. sidecar.UnknownMembers, new(OperationsMember, operations.Clone())], WhyNotRun = read.Diagnostics[0].Sentence };
+    }
+
+    private static JsonElement Element(string text)
+    {
+        using var json = JsonDocument.Parse(text);
+        return json.RootElement.Clone();
     }
 
     internal static JsonException InvalidFile(string what) => new(Wording.Get("Sidecar.Invalid", what));

@@ -63,6 +63,7 @@ public sealed class OperationRunTests : IDisposable
 
         var some = await CliRun.RunAsync(["plan", .. s_job, "--operations", WithoutOperation("marks"), "--json"]);
         Assert.Contains("OPR0008", some.Error, StringComparison.Ordinal);
+        Assert.Contains("take LINE, TEXT with an operation", (await CliRun.RunAsync(["run", .. s_job, "--operations", WithoutOperation("marks"), "--connect", "sim:", "--journal", _folder.PathOf("n.jsonl")])).Out, StringComparison.Ordinal);
         Assert.Equal([("LINE", 2), ("TEXT", 1)], JsonText.Of(some).GetProperty("notCut").EnumerateObject().Select(type => (type.Name, type.Value.GetInt32())));
     }
 
@@ -72,8 +73,8 @@ public sealed class OperationRunTests : IDisposable
     [InlineData("post", "OPR0017", 1, "--target", "hpgl")]
     [InlineData("plan", "--kerf cannot be used with --operations", 2, "--kerf", "outside", "--tool-diameter", "3")]
     [InlineData("plan", "--enter cannot be used with --operations", 2, "--enter", "0,0")]
-    [InlineData("plan", "OPR0020", 1, "--tool", "1")]
-    [InlineData("plan", "1.5 is not a tool number", 2, "--tool", "1.5")]
+    [InlineData("plan", "OPR0020", 1, "--tool-number", "1")]
+    [InlineData("plan", "1.5 is not a tool number", 2, "--tool-number", "1.5")]
     public async Task What_operations_cannot_do_is_refused(string verb, string message, int code, params string[] words)
     {
         var refused = await CliRun.RunAsync([verb, .. s_job, "--operations", s_operations, .. words, .. verb == "post" ? ["-o", _folder.PathOf("a.txt")] : (string[])[]]);

@@ -137,6 +137,37 @@ public class OperationStrokesTests
         static bool IsMaterial(Point2D place) => Within(place, 0, 40) && (!Within(place, 10, 30) || Within(place, 17, 23));
     }
 
+    /// <summary>Lines are parallel, at the spacing, as near to the walls as the inset, and none is missing.</summary>
+    [Theory]
+    [InlineData(0.0, 0.5, false)]
+    [InlineData(30.0, 0.8, false)]
+    [InlineData(90.0, 1.3, true)]
+    public void A_fill_covers_the_inside_with_parallel_lines(double angle, double spacing, bool isCross)
+    {
+        var job = new OperationJob(Plate(), FormattableString.Invariant($$"""{ "id": "f", "kind": "fill", "select": {"layers": ["CUT"]}, "tool": 1, "depth": 0.2, "spacing": {{spacing}}, "angle": {{angle}}, "inset": 0.7, "cross": {{(isCross ? "true" : "false")}} }"""));
+        var walls = job.Assignment.Parts[0].Table.ToSegments();
+        var lines = job.Path.Strokes.Select(stroke => Assert.Single(stroke.Moves).Segment).ToList();
+
+        Assert.Empty(job.Shapes[0].Faults);
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.All(lines, line => Assert.True(walls.Min(wall => wall.DistanceTo(line.Start)) >= 0.7 - 1e-6 && walls.Min(wall => wall.DistanceTo(line.PointAt(0.5))) >= 0.7 - 1e-6 && IsMaterial(line.PointAt(0.5)), $"{line.Start} {line.End}"));
+        foreach (var direction in isCross ? (double[])[angle, angle + 90.0] : [angle])
+        {
+            var across = Vector2D.FromPolar(1.0, Angle.FromDegrees(direction + 90.0));
+            var own = lines.Where(line => Math.Abs(across.Dot(line.End - line.Start)) < 1e-6).ToList();
+            for (var x = 0.2; x < 40.0; x += 0.77)
+            {
+                for (var y = 0.3; y < 40.0; y += 0.83)
+                {
+                    var place = new Point2D(x, y);
+                    if (IsMaterial(place) && walls.Min(wall => wall.DistanceTo(place)) > 0.7 + (0.75 * spacing)) Assert.True(own.Min(line => line.DistanceTo(place)) <= (spacing / 2.0) + 1e-9, $"{place}");
+                }
+            }
+        }
+
+        static bool IsMaterial(Point2D place) => Within(place, 0, 40) && (!Within(place, 10, 30) || Within(place, 17, 23));
+    }
+
     [Fact]
     public void Each_hole_is_drilled_once_straight_down_in_pecks()
     {

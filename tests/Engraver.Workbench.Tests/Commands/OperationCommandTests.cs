@@ -51,7 +51,7 @@ public class OperationCommandTests
     [Theory]
     [InlineData("depth", "-1", "Allowed: a number above 0")]
     [InlineData("dept", "1", "The field operations[0].dept is unknown")]
-    [InlineData("kind", "mill", "Allowed: engrave, profile, pocket, drill")]
+    [InlineData("kind", "mill", "Allowed: engrave, profile, pocket, fill, drill")]
     [InlineData("tool", "9", "Allowed: 3")]
     public async Task An_edit_that_is_not_valid_changes_nothing_and_says_why(string field, string value, string message)
     {
@@ -76,6 +76,47 @@ public class OperationCommandTests
         Assert.Contains("KERF cannot be used", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"))).Message, StringComparison.Ordinal);
         await talk.TypeAsync("KERF", "OFF", "OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"), "OPEN", CommandTestSession.Sample("paper-001.dxf"));
         Assert.Null(Plan(talk));
+    }
+
+    [Fact]
+    public async Task Operations_are_saved_beside_the_drawing_and_opened_with_it_with_the_handles_of_the_new_file()
+    {
+        await using var talk = await PlateAsync();
+        var handle = talk.Session.Document.Current.Drawing!.SourceOf(0).Handle!;
+        await talk.TypeAsync("OPERATION", "New", "E", "*", "3", "2.5", "1", "OPERATION", "Edit", "o1", "select", $$"""{"handles": ["{{handle}}"]}""");
+        var file = talk.PathOf("plate.dxf");
+        await talk.TypeAsync("SAVEAS", file);
+        Assert.False(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("OPERATION", "Edit", "o1", "depth", "0.5");
+        Assert.True(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("QSAVE", "CLOSE");
+        Assert.Null(Plan(talk));
+
+        await talk.TypeAsync("OPEN", file);
+        var operation = Assert.Single(Plan(talk)!.Operations);
+        Assert.Equal(0.5, operation.Depth);
+        Assert.Equal(0, talk.State.Drawing!.IndexOfHandle(Assert.Single(operation.Select.Handles)));
+        Assert.Contains("Operations: 1", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Operations_of_a_later_version_are_kept_and_not_run()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "New", "E", "*", "3", "2.5", "1");
+        var file = talk.PathOf("plate.dxf");
+        await talk.TypeAsync("SAVEAS", file, "CLOSE");
+        var beside = file + ".engraver.json";
+        await File.WriteAllTextAsync(beside, (await File.ReadAllTextAsync(beside)).Replace("\"depth\":1", "\"depth\":1,\"wobble\":3", StringComparison.Ordinal));
+
+        await talk.TypeAsync("OPEN", file);
+        Assert.Null(Plan(talk));
+        Assert.Contains("SID0006", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("wobble", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("LINE", "0,0", "1,1", "", "QSAVE", "Yes");
+        Assert.Contains("\"wobble\":3", await File.ReadAllTextAsync(beside), StringComparison.Ordinal);
+        await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"), "QSAVE");
+        Assert.True(!(await File.ReadAllTextAsync(beside)).Contains("wobble", StringComparison.Ordinal), talk.Said);
     }
 
     private static OperationPlan? Plan(CommandTestSession talk) => talk.State.Settings.Operations;

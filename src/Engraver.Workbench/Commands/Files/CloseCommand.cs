@@ -12,7 +12,7 @@ internal sealed class CloseCommand : ICommand
         _ = context.Drawing;
         DrawingOpening.Close(context);
         var state = context.Document.Current;
-        context.Commit(new DocumentState { Settings = state.Settings with { Enter = null }, Sidecar = DrawingSaving.WithSettingsOf(state.Sidecar) });
+        context.Commit(new DocumentState { Settings = state.Settings with { Enter = null, Operations = null, Tool = 0 }, Sidecar = DrawingSaving.WithSettingsOf(state.Sidecar) });
         return Task.CompletedTask;
     }
 }

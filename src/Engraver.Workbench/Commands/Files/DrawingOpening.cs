@@ -22,11 +22,13 @@ internal static class DrawingOpening
         if (why is not null) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(why).Message));
         Close(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
-        context.Commit(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = sidecar });
+        var operations = wanted is null ? sidecar.Operations : wanted.Operations;
+        context.Commit(new DocumentState { Drawing = drawing, Settings = settings with { Operations = operations }, Sidecar = operations == sidecar.Operations ? sidecar : sidecar.WithOperations(operations) });
         context.Document.MarkOpened();
         context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.WriteMessage(Wording.Get("DrawingOpening.Contents", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
+        if (operations is not null) context.WriteMessage(Wording.Get("DrawingOpening.Operations", operations.Operations.Count));
         if (sidecar.Trajectories.All.Count is > 0 and var count) context.WriteMessage(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }
 

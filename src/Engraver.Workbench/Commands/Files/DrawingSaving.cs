@@ -44,16 +44,17 @@ internal static class DrawingSaving
         var text = SidecarText.Write(WithHandlesOf(sidecar, context.Document.HandlesIn(drawing)), Path.GetFileName(drawing), SidecarFile.FingerprintOf(context.Drawing));
         if (SidecarFile.Write(path, text, known, context.Time) is { } aside) FindingMessages.Write(context, drawing, [SidecarRules.SetAside.At(default, Path.GetFileName(path), Path.GetFileName(aside))], Severity.Warning);
         context.Document.MarkSidecar(path, text);
-        context.WriteMessage(Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), CountText.Format(sidecar.Trajectories.All.Count, "Trajectory")));
+        var trajectories = CountText.Format(sidecar.Trajectories.All.Count, "Trajectory");
+        context.WriteMessage(sidecar.Operations is { } plan ? Wording.Get("DrawingSaving.SidecarOperations", Path.GetFileName(path), trajectories, plan.Operations.Count) : Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), trajectories));
         return true;
     }
 
-    /// <summary>Entities get new handles in a written drawing; the trajectories refer to these.</summary>
+    /// <summary>Entities get new handles in a written drawing; trajectories and operations refer to these.</summary>
     private static Sidecar WithHandlesOf(Sidecar sidecar, IReadOnlyDictionary<string, IReadOnlyList<string>> written)
     {
         if (written.Count == 0) return sidecar;
         var list = sidecar.Trajectories;
-        return sidecar with { Trajectories = list with { All = [.. list.All.Select(one => one with { Handles = [.. one.Handles.SelectMany(handle => written.GetValueOrDefault(handle, [])).Distinct()] })] } };
+        return sidecar with { Operations = sidecar.Operations?.WithHandles(handle => written.GetValueOrDefault(handle, [])), Trajectories = list with { All = [.. list.All.Select(one => one with { Handles = [.. one.Handles.SelectMany(handle => written.GetValueOrDefault(handle, [])).Distinct()] })] } };
     }
 
     /// <summary>The sidecar of a drawing; without one, trajectory settings of the previous drawing are kept.</summary>

@@ -65,7 +65,7 @@ internal sealed class OperationCommand : ICommand
 
     private static async Task AddAsync(CommandContext context, OperationPlan? plan)
     {
-        var kind = await context.ChoiceAsync(Wording.Get("Operation.EnterKind"), Keyword.List("Engrave", "pRofile", "Pocket", "Drill"), "Engrave").ConfigureAwait(false);
+        var kind = await context.ChoiceAsync(Wording.Get("Operation.EnterKind"), Keyword.List("Engrave", "pRofile", "Pocket", "Fill", "Drill"), "Engrave").ConfigureAwait(false);
         var layers = await context.ValueAsync(new TextPrompt(Wording.Get("Operation.EnterLayers")) { Default = "*" }).ConfigureAwait(false);
         var number = await WholeAsync(context, "Operation.EnterTool", LastTool).ConfigureAwait(false);
         var tool = plan?.Tools.Any(one => one.Number == number) == true ? null : new JsonObject { ["number"] = number, ["diameter"] = await context.ValueAsync(new NumberPrompt(Wording.Get("Operation.EnterDiameter")) { Min = 1e-3, Max = 1e3 }).ConfigureAwait(false) };
@@ -76,6 +76,7 @@ internal sealed class OperationCommand : ICommand
             ["select"] = layers == "*" ? "rest" : new JsonObject { ["layers"] = new JsonArray([.. layers.Split(',').Select(name => (JsonNode)name.Trim())]) },
             ["tool"] = number,
         };
+        if (kind == nameof(OperationKind.Fill)) operation["spacing"] = await context.ValueAsync(new NumberPrompt(Wording.Get("Operation.EnterSpacing")) { Min = 1e-3, Max = 1e3 }).ConfigureAwait(false);
         if (context.Document.Current.Settings.Machine.Height is not null) operation["depth"] = await context.ValueAsync(new NumberPrompt(Wording.Get("Operation.EnterDepth")) { Min = 1e-6, Max = 1e4 }).ConfigureAwait(false);
         Commit(context, OperationEdits.Added(plan, operation, tool));
     }
@@ -123,6 +124,6 @@ internal sealed class OperationCommand : ICommand
         var state = context.Document.Current;
         var settings = state.Settings with { Operations = plan, Tool = plan is null ? 0 : state.Settings.Tool };
         if (SettingTable.Operations.Conflict(settings) is { } conflict) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(conflict));
-        context.Commit(state with { Settings = settings });
+        context.Commit(state with { Settings = settings, Sidecar = state.Sidecar.WithOperations(plan) });
     }
 }

@@ -6,6 +6,7 @@ using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
@@ -213,10 +214,11 @@ public static class JobReportPage
 
     private static void Settings(JobReport report, PageWriter page)
     {
-        var machine = report.Job.Settings.CuttingMachine;
+        var machine = report.Job.Settings.Machine;
         page.Pairs(
         [
-            .. SettingValues.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
+            .. SettingValues.Of(report.Job.Recorded).Where(one => one.Key != SettingTable.Operations.Key).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
+            .. OperationSummary.Of(report.Job).Select(one => new PagePair(Wording.Get("JobReport.Operation", one.Operation.Title), Wording.Get("JobReport.OperationFacts", one.Operation.Kind, one.Tool.Title, one.Operation.Depth ?? 0.0, one.Feed, one.Curves, one.Strokes, one.Length), "operation." + one.Operation.Id)),
             .. report.Job.Fonts.Select((font, i) => new PagePair(Wording.Get("JobReport.Font", font.Requested), Wording.Get("JobReport.FontTaken", font.Font, font.Sha256), string.Create(CultureInfo.InvariantCulture, $"font.{i}"))),
             new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
