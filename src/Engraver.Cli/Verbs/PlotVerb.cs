@@ -33,6 +33,8 @@ internal static class PlotVerb
             OutputFormat.Check(parsed.GetValue(output), ".svg");
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var findings = DrawingFile.IsUnreadable(read) ? [] : JobPreparation.To<LetteredJob>(read, settings).Findings;
+            if (settings.Operations is not null && JobPreparation.To<OrderedJob>(read, settings) is { OperationFaults: { Count: > 0 } faults } refused) return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. refused.Findings, .. faults]));
+            if (settings.Operations is not null && !DrawingFile.IsUnreadable(read)) findings = JobPreparation.To<OrderedJob>(read, settings).Findings;
             var plot = parsed.GetValue(what) switch
             {
                 "trajectory" => Trajectories(DrawingPlot.OfTrajectories(read, settings, null)),

@@ -28,7 +28,7 @@ public static class OperationRules
 
     public static readonly DiagnosticRule SeveralTools = new("OPR0012", Severity.Error, "tools");
 
-    public static readonly DiagnosticRule DeeperThanTool = new("OPR0013", Severity.Warning, "operation", "depth", "tool", "limit");
+    public static readonly DiagnosticRule DeeperThanTool = new("OPR0013", Severity.Error, "operation", "depth", "tool", "limit");
 
     public static readonly DiagnosticRule SpindleByHand = new("OPR0014", Severity.Info, "operation", "speed");
 
@@ -50,10 +50,12 @@ public static class OperationRules
 
     public static readonly DiagnosticRule FewerTabs = new("OPR0023", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule NotFilled = new("OPR0024", Severity.Warning, "operation", "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
-        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs,
+        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled,
     ];
 }

@@ -25,10 +25,19 @@ internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
     public void StartBy(StartRule rule)
     {
         if (rule == StartRule.Nearest) return;
-        var side = rule == StartRule.Longest ? _moves.MaxBy(move => move.Segment.Length) : _moves.MaxBy(move => move.Segment.PointAt(0.5).Y);
-        var index = _moves.IndexOf(side);
+        var side = rule == StartRule.Longest ? _moves.MaxBy(move => move.Segment.Length) : _moves.MaxBy(move => move.Segment.PointAt(TopOf(move.Segment)).Y);
+        var (index, middle) = (_moves.IndexOf(side), rule == StartRule.Longest ? 0.5 : TopOf(side.Segment));
         StrokeMove Part(double from, double to) => side with { Segment = SegmentPart.Of(side.Segment, from, to) };
-        _moves = [Part(0.5, 1.0), .. _moves.Skip(index + 1), .. _moves.Take(index), Part(0.0, 0.5)];
+        _moves = [Part(middle, 1.0), .. _moves.Skip(index + 1), .. _moves.Take(index), Part(0.0, middle)];
+    }
+
+    /// <summary>The fraction at the highest point of an arc, if it is within the arc; otherwise the middle.</summary>
+    private static double TopOf(in Segment segment)
+    {
+        if (segment.Kind == SegmentKind.Line) return 0.5;
+        var (arc, up) = (segment.Arc, Angle.FromDegrees(90.0));
+        var ahead = arc.Sweep.Degrees >= 0.0 ? (up - arc.Start).Positive().Degrees : (arc.Start - up).Positive().Degrees;
+        return ahead / Math.Abs(arc.Sweep.Degrees) is > 0.01 and < 0.99 and var fraction ? fraction : 0.5;
     }
 
     /// <summary>Raises the tool over tabs, which are on sides that are long enough for them, as evenly as these allow.</summary>
@@ -102,11 +111,23 @@ internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
         for (var length = lead.Length; length >= ShortestLead; length /= 2.0)
         {
             var move = lead.Shape == LeadShape.Line ? Segment.FromLine(start + (side * length), start) : QuarterTo(start, tangent, side, length);
-            var steps = Math.Max(32, (int)Math.Ceiling(move.Length / ShortestLead));
-            if (Enumerable.Range(0, steps + 1).All(step => clearance(move.PointAt((double)step / steps)) >= radius - Rounding)) return (move, length);
+            if (HasRoom(move, clearance, radius)) return (move, length);
         }
 
         return null;
+    }
+
+    /// <summary>Follows the lead by steps in which nothing can come nearer than the radius, at least a hundredth of it.</summary>
+    private static bool HasRoom(in Segment lead, Func<Point2D, double> clearance, double radius)
+    {
+        var (along, shortest) = (0.0, Math.Max(1e-4, 0.01 * radius));
+        while (true)
+        {
+            var distance = clearance(lead.PointAt(Math.Min(1.0, along / lead.Length)));
+            if (distance < radius - Rounding) return false;
+            if (along >= lead.Length) return true;
+            along += Math.Max(shortest, distance - radius);
+        }
     }
 
     private static Segment QuarterTo(Point2D start, Vector2D tangent, Vector2D side, double radius)

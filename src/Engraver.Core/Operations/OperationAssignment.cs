@@ -1,7 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 
 namespace Engraver.Core.Operations;
 
@@ -14,6 +16,9 @@ public sealed record OperationAssignment
     /// <summary>Entities that no operation takes, each once.</summary>
     public required IReadOnlyList<int> NotTaken { get; init; }
 
+    /// <summary>The contours of every part that is profiled or cleared, also with another tool: leads keep away from them.</summary>
+    public required IReadOnlyList<Segment> Contours { get; init; }
+
     /// <summary>Warnings and notes.</summary>
     public required IReadOnlyList<Diagnostic> Findings { get; init; }
 
@@ -23,7 +28,7 @@ public sealed record OperationAssignment
     /// <param name="analysed">The rows of the layers that are cut.</param>
     /// <param name="drawing">The drawing of the entity indices.</param>
     /// <param name="tool">Number of the tool of the job: operations of other tools take their curves and are not run; 0: every tool.</param>
-    public static OperationAssignment Of(EntityTable analysed, Drawing drawing, OperationPlan plan, MachineProfile machine, int tool)
+    public static OperationAssignment Of(EntityTable analysed, Drawing drawing, OperationPlan plan, MachineProfile machine, MachineLimits limits, int tool)
     {
         ArgumentNullException.ThrowIfNull(analysed);
         ArgumentNullException.ThrowIfNull(drawing);
@@ -46,13 +51,15 @@ public sealed record OperationAssignment
             if (!isTaken) notTaken[entity] = notTaken.GetValueOrDefault(entity) + analysed[row].ToSegment().Length;
         }
 
+        IReadOnlyList<Segment> contours = [.. rows.Where(entry => entry.Key.Kind is OperationKind.Profile or OperationKind.Pocket).SelectMany(entry => entry.Value).Distinct().Order().Select(row => analysed[row].ToSegment())];
         foreach (var other in rows.Keys.Except(plan.Active(tool)).ToList()) rows.Remove(other);
         return new OperationAssignment
         {
             Parts = [.. rows.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), analysed.Picking([.. entry.Value])))],
             NotTaken = [.. notTaken.Keys],
+            Contours = contours,
             Findings = [.. FindingsOf(rows, plan, machine), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
-            Faults = [.. FaultsOf(drawing, plan, machine, tool)],
+            Faults = [.. FaultsOf(drawing, plan, machine, limits, tool)],
         };
     }
 
@@ -61,7 +68,6 @@ public sealed record OperationAssignment
         foreach (var (operation, taken) in rows)
         {
             if (taken.Count == 0) yield return OperationRules.TakesNothing.At(default, operation.Title);
-            if (plan.ToolOf(operation) is { MaxDepth: { } limit } tool && operation.Depth is { } depth && depth > limit) yield return OperationRules.DeeperThanTool.At(default, operation.Title, FactText.Of(depth), tool.Title, FactText.Of(limit));
             if (plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
         }
 
@@ -74,19 +80,37 @@ public sealed record OperationAssignment
         if (active.Select(operation => plan.PlungeOf(operation, machine)).OfType<double>().Distinct().ToList() is { Count: > 1 } plunges) yield return OperationRules.LowestPlunge.At(default, FactText.Of(plunges.Min()));
     }
 
-    private static IEnumerable<Diagnostic> FaultsOf(Drawing drawing, OperationPlan plan, MachineProfile machine, int tool)
+    private static IEnumerable<Diagnostic> FaultsOf(Drawing drawing, OperationPlan plan, MachineProfile machine, MachineLimits limits, int tool)
     {
-        var active = plan.Active(tool).ToList();
-        foreach (var operation in active)
+        // Also those that are off or of another tool: what they name is not the rest.
+        foreach (var operation in plan.Operations)
         {
             foreach (var layer in operation.Select.UnknownLayers(drawing)) yield return OperationRules.LayerUnknown.At(default, operation.Title, layer, JsonFields.Nearest(layer, [.. drawing.Layers.Select(known => known.Name)]));
             foreach (var handle in operation.Select.UnknownHandles(drawing)) yield return OperationRules.HandleUnknown.At(default, operation.Title, handle);
+        }
+
+        var active = plan.Active(tool).ToList();
+        foreach (var operation in active)
+        {
+            foreach (var fault in LimitFaultsOf(operation, plan, machine, limits)) yield return fault;
             if (machine.Height is null && operation.Kind == OperationKind.Drill) yield return OperationRules.NoToolAxis.At(default, operation.Title, "drill");
             else if (machine.Height is null && operation.Depth is not null) yield return OperationRules.NoToolAxis.At(default, operation.Title, "depth");
             if (machine.Height is not null && operation.Depth is null) yield return OperationRules.NoDepth.At(default, operation.Title);
         }
 
-        if (active.Count == 0) yield return OperationRules.NothingOn.At(default, tool == 0 ? "" : FactText.Of(tool));
+        if (active.Count == 0) yield return OperationRules.NothingOn.At(default, tool == 0 ? "*" : FactText.Of(tool));
         if (active.Select(operation => operation.Tool).Distinct().Order().ToList() is { Count: > 1 } tools) yield return OperationRules.SeveralTools.At(default, string.Join(", ", tools.Select(tool => plan.Tools.First(one => one.Number == tool).Title)));
+    }
+
+    /// <summary>Speeds and depths that the machine cannot count, and depths that the tool does not reach.</summary>
+    private static IEnumerable<Diagnostic> LimitFaultsOf(Operation operation, OperationPlan plan, MachineProfile machine, MachineLimits limits)
+    {
+        var feed = plan.FeedOf(operation, machine);
+        if (!MachineProfileValidation.IsFeed(feed, machine, limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": feed", FactText.Of(feed), MachineProfileValidation.FeedRange(machine, limits));
+        if (operation.Depth is not { } depth) yield break;
+        if (plan.ToolOf(operation) is { MaxDepth: { } limit } tool && depth > limit) yield return OperationRules.DeeperThanTool.At(default, operation.Title, FactText.Of(depth), tool.Title, FactText.Of(limit));
+        if (machine.Height is null) yield break;
+        var depths = operation.PassDepths().Prepend(operation.StartDepth).Distinct().ToList();
+        if (depths.Zip(depths.Skip(1)).Any(step => machine.Scale.ToHeight(-step.First) == machine.Scale.ToHeight(-step.Second))) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": depth", FactText.Of(depth), Wording.Get("OperationFile.OneCount", FactText.Of(machine.Scale.Z.LengthOf(1.0))));
     }
 }

@@ -37,6 +37,18 @@ public static class OperationFile
     public static OperationReadResult Read(string json, Func<string, (string? Json, string Failure)> library)
     {
         ArgumentNullException.ThrowIfNull(library);
+        try
+        {
+            return ReadFields(json, library);
+        }
+        catch (InvalidOperationException)
+        {
+            return new OperationReadResult(null, [OperationRules.Unreadable.At(new SourceRef(1), Wording.Get("OperationFile.NotUnicode"))]);
+        }
+    }
+
+    private static OperationReadResult ReadFields(string json, Func<string, (string? Json, string Failure)> library)
+    {
         var findings = new List<Diagnostic>();
         using var document = Parse(json, "", findings);
         if (document is null) return new OperationReadResult(null, findings);
@@ -213,6 +225,7 @@ public static class OperationFile
             if (of.Find(field) is { } step && operation.Depth is { } whole && (whole - operation.StartDepth) / step.GetDouble() > MostPasses) of.Invalid(of.PathOf(field), OperationFields.Shown(step), Wording.Get("OperationFile.TooManyPasses", MostPasses));
         }
 
+        if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
         if (operation is { Tabs: { } tabs, Depth: { } bottom } && tabs.Height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(tabs.Height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
@@ -241,7 +254,8 @@ public static class OperationFile
         if (Inner(of, name, path, lines, s_leadFields, findings) is not { } lead) return null;
         lead.Required("shape");
         if (lead.Choice<LeadShape>("shape") is not { } shape) return null;
-        var length = shape == LeadShape.Arc ? "radius" : "length";
+        var (length, other) = shape == LeadShape.Arc ? ("radius", "length") : ("length", "radius");
+        if (lead.Find(other) is { } wrong) lead.Invalid(lead.PathOf(other), OperationFields.Shown(wrong), Wording.Get("OperationFile.OnlyFor", shape == LeadShape.Arc ? OperationFields.WordOf(LeadShape.Line) : OperationFields.WordOf(LeadShape.Arc)));
         lead.Required(length);
         return lead.Number(length, 0.0, 1e3, includesLowest: false) is { } value ? new LeadMove(shape, value) : null;
     }

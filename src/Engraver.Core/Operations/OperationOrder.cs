@@ -23,6 +23,12 @@ public static class OperationOrder
         var (ordered, tool) = (new List<OrderedOperation>(), options.ToolStart);
         foreach (var shape in shapes)
         {
+            if (shape.Path.Count == 0)
+            {
+                ordered.Add(new OrderedOperation(shape, shape.Path, []));
+                continue;
+            }
+
             var one = shape.Strokes is null ? Sequenced(shape, drawing, options with { ToolStart = tool }) : Planned(shape, tool);
             ordered.Add(one);
             if (one.Strokes is [.., var last]) tool = one.Path[last.FirstRow + last.Rows - 1].EndPoint;
@@ -49,7 +55,7 @@ public static class OperationOrder
         }
 
         var path = shape.Operation is { Kind: OperationKind.Profile, Direction: not CutDirection.Any } ? Directed(sequence.Table, strokes, shape.Operation) : sequence.Table;
-        return new OrderedOperation(shape, path, strokes) { Reversed = sequence.Reversed, DuplicatesRemoved = sequence.DuplicatesRemoved, Diagnostics = sequence.Diagnostics };
+        return new OrderedOperation(shape, path, strokes) { Reversed = sequence.Reversed, DuplicatesRemoved = sequence.DuplicatesRemoved, Diagnostics = shape.Operation.Kind == OperationKind.Fill ? [] : sequence.Diagnostics };
     }
 
     /// <summary>The closed strokes of a profile in the direction that leaves the wall on the right (climb) or on the left.</summary>

@@ -18,14 +18,16 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
 
     /// <param name="ordered">In the order of the operations.</param>
     /// <param name="drawn">The drawing as contours, for its discontinuities.</param>
+    /// <param name="contours">Contours from which leads keep away.</param>
     /// <param name="options">Start of the tool.</param>
-    public static OperationPasses Of(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, Drawing drawing, SequencingOptions options)
+    public static OperationPasses Of(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, IReadOnlyList<Segment> contours, Drawing drawing, SequencingOptions options)
     {
+        ArgumentNullException.ThrowIfNull(contours);
         ArgumentNullException.ThrowIfNull(ordered);
         ArgumentNullException.ThrowIfNull(drawn);
         ArgumentNullException.ThrowIfNull(options);
         var (table, cuts, findings) = (new EntityTable(), new List<(OrderedStroke Stroke, int Rows, StrokePass Pass)>(), new List<Diagnostic>());
-        var parts = new PartClearance([.. ordered.Where(operation => operation.Shape.Operation.Kind == OperationKind.Profile).SelectMany(operation => operation.Shape.Part.Table.ToSegments())]);
+        var parts = new PartClearance([.. contours]);
         foreach (var operation in ordered)
         {
             var depths = operation.Shape.Operation.PassDepths();

@@ -11,7 +11,7 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     internal OperationPlan(IReadOnlyList<Operation> operations, IReadOnlyList<CuttingTool> tools)
     {
         (Operations, Tools) = (operations, tools);
-        _text = OperationText.Write(this);
+        _text = OperationText.Write(this, withAllTools: false);
     }
 
     public IReadOnlyList<Operation> Operations { get; }
@@ -34,12 +34,14 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     /// <summary>Turns per minute; null where neither operation nor tool states it.</summary>
     public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
 
-    /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its profile. Applied to
+    /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its
+    /// profile; its feed is the highest of the operations. Applied to
     /// its own result, it changes nothing.</summary>
     /// <param name="tool">As for <see cref="Active"/>.</param>
     public MachineProfile Applied(MachineProfile machine, int tool)
     {
         ArgumentNullException.ThrowIfNull(machine);
+        machine = machine with { FeedMmPerMinute = Active(tool).Select(operation => FeedOf(operation, machine)).DefaultIfEmpty(machine.FeedMmPerMinute).Max() };
         if (machine.Height is not { } drive) return machine;
         var plunge = Active(tool).Select(operation => PlungeOf(operation, machine)!.Value).DefaultIfEmpty(drive.PlungeMmPerMinute).Min();
         return machine with { Height = drive with { CutDepth = 0.0, DepthPerPass = null, PlungeMmPerMinute = plunge } };
@@ -59,6 +61,9 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
 
     public override int GetHashCode() => _text.GetHashCode(StringComparison.Ordinal);
 
-    /// <summary>The plan as the text of an operations file, tools included.</summary>
+    /// <summary>The plan as the text of an operations file, with every tool.</summary>
+    public string ToFileText() => OperationText.Write(this, withAllTools: true);
+
+    /// <summary>The plan as the text of an operations file, with the tools that its operations name.</summary>
     public override string ToString() => _text;
 }

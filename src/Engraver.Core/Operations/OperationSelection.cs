@@ -45,7 +45,7 @@ public sealed record OperationSelection
 
     /// <summary>True for a text that names a colour.</summary>
     internal static bool IsColour(string text) =>
-        text.Length == 6 ? int.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out _) : int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var index) && index is >= 1 and <= 255;
+        text.Length == 6 ? int.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out _) : int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var index) && index is >= 1 and <= 255 && text[0] != '0';
 
     private static string NameOf(DrawingColour colour) => colour.Rgb is { } rgb ? rgb.ToString("X6", CultureInfo.InvariantCulture) : colour.Index?.ToString(CultureInfo.InvariantCulture) ?? "";
 }

@@ -2,12 +2,14 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
 using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
 using Engraver.Core.Offsets.Pieces;
 using Engraver.Core.Pockets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Nesting;
 
 namespace Engraver.Core.Operations;
 
@@ -20,6 +22,7 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
     public ShapedOperation Shape(OperationPart part)
     {
         ArgumentNullException.ThrowIfNull(part);
+        if (part.Table.Count == 0) return new ShapedOperation(part, EntityTable.Empty, null);
         return part.Operation.Kind switch
         {
             OperationKind.Profile => Profile(part),
@@ -62,7 +65,8 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
             MaxErrorMm = maxErrorMm,
             JoinToleranceMm = options.JoinTolerance,
         };
-        var result = PocketPlanner.Plan(Reduced(DrawnContours.From(chained), operation.Stock), pocket);
+        var (reduced, unresolved) = Reduced(DrawnContours.From(chained), operation.Stock);
+        var result = PocketPlanner.Plan(reduced, pocket);
         var (path, strokes, entities) = (new EntityTable(), new List<int>(), new NearestEntity(chained.Kept));
         foreach (var stroke in result.Strokes)
         {
@@ -74,7 +78,7 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         return new ShapedOperation(part, path, strokes)
         {
             Findings = [.. chained.Diagnostics, .. findings[false].Where(finding => finding.Rule != PocketRules.WithoutInside)],
-            Faults = [.. findings[true], .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
+            Faults = [.. findings[true], .. unresolved.Select(place => KerfRules.NotCompensated.At(default, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place }), .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
         };
     }
 
@@ -105,13 +109,41 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
             }
         }
 
-        return new ShapedOperation(part, path, null) { Findings = chained.Diagnostics, Faults = faults };
+        List<Diagnostic> findings = [.. chained.Diagnostics];
+        if (NotFilled(chained, path) is { Count: > 0 } empty) findings.Add(OperationRules.NotFilled.At(default, operation.Title, FactText.Of(empty.Count), FactText.Of(empty[0].X), FactText.Of(empty[0].Y)) with { Place = empty[0] });
+        return new ShapedOperation(part, path, null) { Findings = findings, Faults = faults };
     }
 
+    /// <summary>Starts of the contours that should be filled and have no line in them: they are too narrow for the inset or the spacing.</summary>
+    private static List<Point2D> NotFilled(ChainedTable chained, EntityTable path)
+    {
+        var (segments, contours, empty) = (chained.Segments, chained.Chain.Contours, new List<Point2D>());
+        Point2D[] middles = [.. Enumerable.Range(0, path.Count).Select(row => path[row].ToSegment().PointAt(0.5))];
+        var (lines, drawn, near) = (BoxTree.Build(middles), DrawnContours.From(chained), new List<int>());
+        for (var index = 0; index < contours.Count; index++)
+        {
+            var level = 0;
+            for (var around = chained.Inside[index]; around >= 0; around = chained.Inside[around]) level++;
+            if (!contours[index].Closed || level % 2 != 0) continue;
+            var region = new ContourRegion([.. BiarcFit.FitContour(drawn[index].Segments, CurveError)]);
+            near.Clear();
+            if (middles.Length > 0) lines.Overlapping(region.Bounds, near);
+            if (!near.Exists(line => region.Contains(middles[line]))) empty.Add(contours[index].StartIn(segments.Span));
+        }
+
+        return empty;
+    }
+
+    /// <summary>Error of the arcs of a curve when it is only asked whether a line is inside of it, mm.</summary>
+    private const double CurveError = 1e-3;
+
     /// <summary>The contours without the material that is left at their walls.</summary>
-    private IReadOnlyList<OffsetContour> Reduced(IReadOnlyList<OffsetContour> drawn, double stock) => stock == 0.0
-        ? drawn
-        : [.. ContourOffset.Offset([.. drawn.Where(contour => contour.Closed)], stock, OffsetSide.In, OffsetOptions.Round(maxErrorMm)).Loops.Select(loop => new OffsetContour(loop.Segments, true))];
+    private (IReadOnlyList<OffsetContour> Contours, IReadOnlyList<Point2D> Unresolved) Reduced(IReadOnlyList<OffsetContour> drawn, double stock)
+    {
+        if (stock == 0.0) return (drawn, []);
+        var offset = ContourOffset.Offset([.. drawn.Where(contour => contour.Closed)], stock, OffsetSide.In, OffsetOptions.Round(maxErrorMm));
+        return ([.. offset.Loops.Select(loop => new OffsetContour(loop.Segments, true))], offset.Unresolved);
+    }
 
     /// <summary>One row without length at the centre of each circle; a circle that is drawn twice is drilled once.</summary>
     private ShapedOperation Drill(OperationPart part)

@@ -7,8 +7,9 @@ namespace Engraver.Core.Operations;
 /// <summary>Writes a plan as the text of an operations file, in one line: journals, certificates and histories keep it.</summary>
 internal static class OperationText
 {
-    /// <summary>Every operation, and every tool that one of them names.</summary>
-    public static string Write(OperationPlan plan)
+    /// <summary>Every operation, and the tools.</summary>
+    /// <param name="withAllTools">False: only the tools that an operation names.</param>
+    public static string Write(OperationPlan plan, bool withAllTools)
     {
         using var memory = new MemoryStream();
         using (var writer = new Utf8JsonWriter(memory, new JsonWriterOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
@@ -16,7 +17,7 @@ internal static class OperationText
             writer.WriteStartObject();
             writer.WriteString("version", OperationFile.Version);
             writer.WriteStartArray("tools");
-            foreach (var tool in plan.Tools.Where(tool => plan.Operations.Any(operation => operation.Tool == tool.Number))) Write(writer, tool);
+            foreach (var tool in plan.Tools.Where(tool => withAllTools || plan.Operations.Any(operation => operation.Tool == tool.Number))) Write(writer, tool);
             writer.WriteEndArray();
             writer.WriteStartArray("operations");
             foreach (var operation in plan.Operations) Write(writer, operation);

@@ -38,7 +38,7 @@ public static class DrawingPlot
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(trace);
-        var (analysed, name) = (JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table, Path.GetFileName(drawing.FileName));
+        var (analysed, name) = ((settings.Operations is null ? JobPreparation.To<CompensatedJob>(drawing, settings) : JobPreparation.To<OrderedJob>(drawing, settings)).Cut.Table, Path.GetFileName(drawing.FileName));
         if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
         if (measure == RunMeasure.Following && !trace.HasFollowing) throw new FormatException(Wording.Get("Trace.NoFollowingError"));
         return RunPlot.Create(analysed, trace, measure, name);

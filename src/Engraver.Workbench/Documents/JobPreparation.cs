@@ -41,7 +41,7 @@ public static class JobPreparation
     public static (EntityTable Table, IReadOnlyList<Diagnostic> Findings) CutTableOf(Drawing drawing, DrawingSettings settings, PlateValues? values = null)
     {
         var ordered = To<OrderedJob>(drawing, settings, values);
-        return (ordered.Sequence.Table, ordered.Cut.Kerf?.Diagnostics ?? []);
+        return (ordered.Sequence.Table, [.. ordered.Cut.Kerf?.Diagnostics ?? [], .. ordered.Assignment?.Findings ?? [], .. ordered.OperationFaults]);
     }
 
     /// <summary>Findings on the drawing before it is cut: its texts, and <see cref="CutFindings"/>.</summary>

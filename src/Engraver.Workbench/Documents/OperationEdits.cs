@@ -14,7 +14,7 @@ public static class OperationEdits
     public static string ToFile(OperationPlan plan)
     {
         ArgumentNullException.ThrowIfNull(plan);
-        return JsonNode.Parse(plan.ToString())!.ToJsonString(s_indented) + "\n";
+        return JsonNode.Parse(plan.ToFileText())!.ToJsonString(s_indented) + "\n";
     }
 
     /// <summary>Appends an operation.</summary>
@@ -59,7 +59,7 @@ public static class OperationEdits
         return Read(file);
     }
 
-    private static JsonObject FileOf(OperationPlan plan) => JsonNode.Parse(plan.ToString())!.AsObject();
+    private static JsonObject FileOf(OperationPlan plan) => JsonNode.Parse(plan.ToFileText())!.AsObject();
 
     private static JsonObject Find(JsonObject file, string id) => file["operations"]!.AsArray().Select(node => node!.AsObject()).First(one => (string?)one["id"] == id);
 

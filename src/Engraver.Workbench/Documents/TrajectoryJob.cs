@@ -66,7 +66,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
             {
                 Analysed = JobPreparation.Analyse(source, own),
                 Settings = own with { MaxErrorMm = bound },
-                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories), .. TrajectoryExport.ErrorsExceeded(trajectories)],
+                Findings = [.. job.Findings, .. PocketDrawing.OperationsRefused(settings, "trajectory"), .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories), .. TrajectoryExport.ErrorsExceeded(trajectories)],
                 Trajectories = new FollowedTrajectories(drawing, settings, trajectories),
             },
             trajectories,
@@ -88,7 +88,6 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     private static List<DocumentTrajectory> Planned(Drawing drawing, DrawingSettings settings, List<Diagnostic> findings)
     {
         var made = new List<DocumentTrajectory>();
-        if (settings.Operations is not null) findings.Add(OperationRules.NotPosted.At(default, "trajectory"));
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings with { Operations = null });
         findings.AddRange([.. ordered.Findings, .. CheckStage.TextFaultsOf(ordered)]);
         if (CheckStage.TextFaultsOf(ordered).Count > 0) return made;

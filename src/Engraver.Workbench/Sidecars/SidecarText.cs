@@ -30,7 +30,7 @@ public static class SidecarText
             Drawing = new DrawingJson(drawing, fingerprint),
             TrajectorySettings = new TrajectorySettingsJson(settings.MaxErrorMm, settings.DynamicDensity, settings.SegmentLengthMm, settings.PlaneZ, CornersWord(settings.Corners), sidecar.Trajectories.NextNumber),
             Trajectories = [.. sidecar.Trajectories.All.Select(TrajectoryEntry.ToJson)],
-            Operations = sidecar.Operations is { } plan ? Element(plan.ToString()) : null,
+            Operations = sidecar.Operations is { } plan ? Element(plan.ToFileText()) : null,
             Others = new Dictionary<string, JsonElement>(sidecar.UnknownMembers),
         };
         using var memory = new MemoryStream();

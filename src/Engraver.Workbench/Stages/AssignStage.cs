@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Operations;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Stages;
@@ -7,7 +8,7 @@ namespace Engraver.Workbench.Stages;
 /// <summary>Divides the rows among the operations, if the settings have any.</summary>
 internal sealed class AssignStage() : JobStage<AnalysedJob, AssignedJob>("Assign", share: 0)
 {
-    public override IReadOnlyList<Setting> Settings => [SettingTable.Operations, SettingTable.Tool, SettingTable.Machine];
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Operations, SettingTable.Tool, SettingTable.Machine, SettingTable.Feed, SettingTable.VectorSpeed];
 
     public override bool StartsStep => false;
 
@@ -16,7 +17,7 @@ internal sealed class AssignStage() : JobStage<AnalysedJob, AssignedJob>("Assign
     protected override AssignedJob Execute(AnalysedJob job, CancellationToken cancellation)
     {
         if (job.Settings.Operations is not { } plan) return new AssignedJob(job, null);
-        var assignment = OperationAssignment.Of(job.Analysed, job.Drawing, plan, job.Settings.Machine, job.Settings.Tool);
+        var assignment = OperationAssignment.Of(job.Analysed, job.Drawing, plan, job.Settings.Machine, MachineFamilies.DriverOf(job.Settings.Machine).Limits, job.Settings.Tool);
         return new AssignedJob(job with { Findings = [.. job.Findings, .. assignment.Findings] }, assignment);
     }
 }

@@ -14,8 +14,8 @@ internal sealed class DressStage() : JobStage<OrderedJob, OrderedJob>("Dress", s
 
     protected override OrderedJob Execute(OrderedJob job, CancellationToken cancellation)
     {
-        if (job.Assignment is null) return job;
-        var passes = OperationPasses.Of(job.Operations, job.Drawn!, job.Drawing, StageOptions.SequencingFor(job.Drawing, job.Settings));
+        if (job.Assignment is not { } assignment) return job;
+        var passes = OperationPasses.Of(job.Operations, job.Drawn!, assignment.Contours, job.Drawing, StageOptions.SequencingFor(job.Drawing, job.Settings));
         return job with { Sequence = passes.Sequence, Cut = new CutTable(passes.Sequence.Table, null, []), Passes = passes.Strokes, Drawn = null, Findings = [.. job.Findings, .. passes.Findings] };
     }
 }

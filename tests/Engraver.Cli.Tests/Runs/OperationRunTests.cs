@@ -74,14 +74,16 @@ public sealed class OperationRunTests : IDisposable
     [InlineData("plan", "--kerf cannot be used with --operations", 2, "--kerf", "outside", "--tool-diameter", "3")]
     [InlineData("plan", "--enter cannot be used with --operations", 2, "--enter", "0,0")]
     [InlineData("plan", "OPR0020", 1, "--tool-number", "1")]
+    [InlineData("table", "OPR0020", 1, "--tool-number", "1")]
+    [InlineData("plot", "OPR0020", 1, "--tool-number", "1")]
     [InlineData("plan", "1.5 is not a tool number", 2, "--tool-number", "1.5")]
     public async Task What_operations_cannot_do_is_refused(string verb, string message, int code, params string[] words)
     {
-        var refused = await CliRun.RunAsync([verb, .. s_job, "--operations", s_operations, .. words, .. verb == "post" ? ["-o", _folder.PathOf("a.txt")] : (string[])[]]);
+        var refused = await CliRun.RunAsync([verb, .. s_job, "--operations", s_operations, .. words, .. verb is "post" or "plot" ? ["-o", _folder.PathOf(verb == "post" ? "a.txt" : "a.svg")] : (string[])[]]);
 
         Assert.Equal(code, refused.ExitCode);
         Assert.Contains(message, refused.Error, StringComparison.Ordinal);
-        Assert.False(File.Exists(_folder.PathOf("a.txt")));
+        Assert.False(File.Exists(_folder.PathOf("a.txt")) || File.Exists(_folder.PathOf("a.svg")));
     }
 
     [Fact]

@@ -66,6 +66,9 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 1} }""", "OPR0003", "operations[0].tabs.height", 3)]
     [InlineData("""{ "id": "o1", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 0.5} }""", "OPR0003", "operations[0].tabs", 3)]
     [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3 }""", "OPR0004", "operations[0].spacing", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "side": "left", "direction": "climb" }""", "OPR0003", "operations[0].direction", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "length": 2} }""", "OPR0003", "operations[0].leadIn.length", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": {"colours": ["01"]}, "tool": 3 }""", "OPR0003", "operations[0].select.colours", 3)]
     [InlineData("[1]", "OPR0003", "operations[0]", 2)]
     [InlineData("", "OPR0003", "operations", 2)]
     public void What_is_wrong_is_named_with_its_line(string operations, string id, string field, long line)
@@ -83,6 +86,10 @@ public class OperationFileTests
 
         Assert.Equal(("OPR0001", 2L), (finding.Id, finding.Source.Line));
     }
+
+    [Fact]
+    public void A_text_that_is_not_Unicode_is_an_error() =>
+        Assert.Equal("OPR0001", Assert.Single(OperationFile.Read("{ \"version\": \"1.0\", \"tools\": [], \"operations\": [{ \"id\": \"\\ud800\" }] }", _ => (null, "")).Diagnostics).Id);
 
     [Fact]
     public void The_tools_of_a_library_have_the_feeds_of_the_material()

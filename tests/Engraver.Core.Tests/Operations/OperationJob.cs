@@ -17,21 +17,23 @@ internal sealed class OperationJob
 
     private static readonly SequencingOptions s_options = new() { JoinTolerance = 0.01, DuplicateTolerance = MaxError, Order = StrokeOrder.Nearest };
 
+    private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, "ABCDEFGH");
+
     private readonly Drawing _drawing;
 
     /// <param name="operations">The entries of the list, as JSON. Tool 1 has a diameter of 2 mm, tool 2 of 1 mm.</param>
-    public OperationJob(Drawing drawing, string operations, MachineProfile? machine = null, int tool = 0)
+    public OperationJob(Drawing drawing, string operations, MachineProfile? machine = null, int tool = 0, double diameter = 2.0)
     {
         _drawing = drawing;
-        var read = OperationFile.Read($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": 2, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}], "operations": [{{operations}}] }""", _ => (null, ""));
+        var read = OperationFile.Read(FormattableString.Invariant($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": {{diameter}}, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}], "operations": [{{operations}}] }"""), _ => (null, ""));
         Assert.True(read.Plan is not null, string.Join('\n', read.Diagnostics.Select(finding => finding.Message)));
         Plan = read.Plan;
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
-        Assignment = OperationAssignment.Of(analysed, drawing, Plan, machine ?? new MachineProfile { Height = new HeightDrive() }, tool);
+        Assignment = OperationAssignment.Of(analysed, drawing, Plan, machine ?? new MachineProfile { Height = new HeightDrive(), Axes = MachineAxes.Default with { Z = new MachineAxis('C', 800.0) } }, s_limits, tool);
         var shaper = new OperationShaper(drawing, s_options, MaxError);
         Shapes = [.. Assignment.Parts.Select(shaper.Shape)];
         Ordered = OperationOrder.Of(Shapes, drawing, s_options);
-        Passes = OperationPasses.Of(Ordered, Sequencer.Chain(analysed, drawing, s_options), drawing, s_options);
+        Passes = OperationPasses.Of(Ordered, Sequencer.Chain(analysed, drawing, s_options), Assignment.Contours, drawing, s_options);
         Path = ToolpathPlanner.Plan(Passes.Sequence, default, MaxError);
     }
 

@@ -43,6 +43,10 @@ public class OperationStrokesTests
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1 }""", "OPR0011")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }, { "id": "b", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 2, "depth": 1 }""", "OPR0012")]
     [InlineData("""{ "id": "a", "on": false, "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }""", "OPR0020")]
+    [InlineData("""{ "id": "a", "on": false, "kind": "engrave", "select": {"layers": ["MARX"]}, "tool": 2, "depth": 1 }, { "id": "b", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }""", "OPR0005")]
+    [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 1000000 }""", "OPR0003")]
+    [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 0.001 }""", "OPR0003")]
+    [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.0003 }""", "OPR0003")]
     public void Operations_that_do_not_fit_the_drawing_or_the_job_are_faults(string operations, string id) => Assert.Equal(id, Assert.Single(new OperationJob(Plate(), operations).Assignment.Faults).Id);
 
     [Fact]
@@ -61,12 +65,13 @@ public class OperationStrokesTests
     public void A_job_of_one_tool_runs_its_operations_and_the_others_keep_their_curves()
     {
         const string operations = """{ "id": "a", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 2, "depth": 5 }, { "id": "b", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }""";
-        var job = new OperationJob(Plate(), operations, tool: 2);
+        var job = new OperationJob(Plate(), operations.Replace("\"depth\": 5", "\"depth\": 3", StringComparison.Ordinal), tool: 2);
 
         Assert.Empty(job.Assignment.Faults);
         Assert.Equal(["a"], job.Passes.Strokes.Select(pass => pass.Operation.Id));
         Assert.Empty(job.Assignment.NotTaken);
-        Assert.Equal("OPR0013", Assert.Single(job.Assignment.Findings).Id);
+        Assert.Empty(job.Assignment.Findings);
+        Assert.Equal("OPR0013", Assert.Single(new OperationJob(Plate(), operations, tool: 2).Assignment.Faults).Id);
         Assert.Equal("OPR0020", Assert.Single(new OperationJob(Plate(), operations, tool: 3).Assignment.Faults).Id);
     }
 
@@ -168,6 +173,19 @@ public class OperationStrokesTests
         static bool IsMaterial(Point2D place) => Within(place, 0, 40) && (!Within(place, 10, 30) || Within(place, 17, 23));
     }
 
+    /// <summary>Its inset is larger than half of the narrow contour; the wide one has lines, and no line is reported as an open contour.</summary>
+    [Fact]
+    public void A_contour_without_a_line_is_named()
+    {
+        var drawing = new DrawingBuilder().Square(0, 0, 20).Square(30, 0, 1).Build();
+        var job = new OperationJob(drawing, """{ "id": "f", "kind": "fill", "select": "rest", "tool": 1, "depth": 0.2, "spacing": 0.5 }""");
+
+        var finding = Assert.Single(job.Shapes[0].Findings);
+        Assert.Equal(("OPR0024", "1", "30"), (finding.Id, finding.Facts[1], finding.Facts[2]));
+        Assert.NotEmpty(job.Path.Strokes);
+        Assert.Empty(job.Ordered[0].Diagnostics);
+    }
+
     [Fact]
     public void Each_hole_is_drilled_once_straight_down_in_pecks()
     {
@@ -214,6 +232,7 @@ public class OperationStrokesTests
 
         var applied = plan.Applied(machine, 0);
         Assert.Equal((0.0, null, 50.0), (applied.Height!.CutDepth, applied.Height.DepthPerPass, applied.Height.PlungeMmPerMinute));
+        Assert.Equal(900.0, new OperationJob(Plate(), """{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 400 }, { "id": "b", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1, "feed": 900 }""").Plan.Applied(machine, 0).FeedMmPerMinute);
         Assert.Equal(300.0, plan.Applied(machine, 2).Height!.PlungeMmPerMinute);
         Assert.Equal(applied, plan.Applied(applied, 0));
     }

@@ -58,6 +58,22 @@ public class ProfileDressingTests
         static double DistanceToSquares(Point2D place) => Math.Min(ToSquare(place, 0, 0, 20), ToSquare(place, 23, 0, 20));
     }
 
+    [Theory]
+    [InlineData(2.0, 8.0)] // the part beside it belongs to another tool
+    [InlineData(0.01, 5.0)] // a tool that is thinner than the steps of a search along the lead
+    public void A_lead_keeps_away_from_the_parts_of_every_tool(double diameter, double length)
+    {
+        var drawing = new DrawingBuilder().OnLayer(Visible("A")).Square(0, 0, 20).OnLayer(Visible("B")).Square(20.0 + (diameter / 2.0) + 0.6, 0, 30).Build();
+        var read = FormattableString.Invariant($$"""{ "id": "a", "kind": "profile", "side": "outside", "select": {"layers": ["A"]}, "tool": 1, "depth": 1, "leadIn": {"shape": "line", "length": {{length}}} }, { "id": "b", "kind": "profile", "side": "outside", "select": {"layers": ["B"]}, "tool": 2, "depth": 1 }""");
+        foreach (var start in (string[])["nearest", "longest", "top"])
+        {
+            var job = new OperationJob(drawing, read.Replace("\"leadIn\"", "\"start\": {\"rule\": \"" + start + "\"}, \"leadIn\"", StringComparison.Ordinal), tool: 1, diameter: diameter);
+            Assert.All(job.Path.Strokes.SelectMany(stroke => stroke.Moves).Where(move => move.Role == StrokeRole.Lead), move => Assert.All(Enumerable.Range(0, 2001), step => Assert.True(ToSquare(move.Segment.PointAt(step / 2000.0), 20.0 + (diameter / 2.0) + 0.6, 0, 30) >= (diameter / 2.0 * 0.98) - 2e-4, $"{start} {move.Segment.Start}")));
+        }
+    }
+
+    private static Layer Visible(string name) => new(name, On: true, Frozen: false, Plot: true);
+
     /// <summary>Shapes at random places with holes in them, some near others. What is checked uses the drawn segments only.</summary>
     [Fact]
     public void No_lead_enters_a_part_tabs_are_left_and_the_wall_is_on_the_right()

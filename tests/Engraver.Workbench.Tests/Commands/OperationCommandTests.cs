@@ -20,6 +20,9 @@ public class OperationCommandTests
         Assert.Null(Plan(talk));
         await talk.TypeAsync("OPERATION", "LO", talk.PathOf("again.json"));
         Assert.Equal(plan, Plan(talk));
+        await talk.TypeAsync("OPERATION", "New", "E", "0", "1", "0.1"); // a tool of the library that no operation has used
+        Assert.Equal(("Engraver 60", 0.2), (Plan(talk)!.ToolOf(Plan(talk)!.Operations[4]).Name, Plan(talk)!.Tools[0].Diameter));
+        await talk.TypeAsync("U");
         Assert.DoesNotContain(talk.Session.Derivation.Current?.Job?.Faults ?? [], _ => true);
     }
 

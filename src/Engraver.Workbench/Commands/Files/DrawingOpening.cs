@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -23,11 +24,12 @@ internal static class DrawingOpening
         Close(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
         var operations = wanted is null ? sidecar.Operations : wanted.Operations;
-        context.Commit(new DocumentState { Drawing = drawing, Settings = settings with { Operations = operations }, Sidecar = operations == sidecar.Operations ? sidecar : sidecar.WithOperations(operations) });
+        context.Commit(new DocumentState { Drawing = drawing, Settings = operations is null ? settings : settings with { Operations = operations, Kerf = KerfSide.Off }, Sidecar = sidecar });
         context.Document.MarkOpened();
         context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.WriteMessage(Wording.Get("DrawingOpening.Contents", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
+        if (operations is not null && settings.Kerf != KerfSide.Off) context.WriteMessage(Wording.Get("DrawingOpening.KerfOff"));
         if (operations is not null) context.WriteMessage(Wording.Get("DrawingOpening.Operations", operations.Operations.Count));
         if (sidecar.Trajectories.All.Count is > 0 and var count) context.WriteMessage(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }

@@ -31,6 +31,9 @@ internal sealed class PocketCommand : ICommand
         if (result is not { Strokes.Count: > 0, Coverage: { } coverage }) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
         context.WriteMessage(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
+        var hasOperations = context.Document.Current.Settings.Operations is not null;
+        if (isJob && hasOperations) context.WriteMessage(Wording.Get("Pocket.OperationsAreTheJob"));
+        isJob &= !hasOperations;
         Commit(context, drawing, selected.Entities, cuts, isJob);
         if (isJob) context.WriteMessage(Wording.Get("Pocket.IsTheJob", Layer), MessageKind.Result);
         else context.WriteMessage(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
@@ -62,7 +65,7 @@ internal sealed class PocketCommand : ICommand
             rebuilt.Add(like, CurveType.LwPolyline, cut.Stroke.Start == cut.Stroke.End, [.. PocketDrawing.SegmentsOf(cut.Stroke).Select(segment => PartOf(segment, cut.Z).Transformed(scale))]);
         }
 
-        DrawingChange.Commit(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off, Operations = null } : settings);
+        DrawingChange.Commit(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off } : settings);
     }
 
     private static DrawingPart PartOf(in Segment segment, double z) =>
