@@ -1,4 +1,3 @@
-using Engraver.Core.Operations;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;
@@ -17,7 +16,5 @@ internal sealed record OperationJson(string Id, string Name, string Kind, int To
     /// <summary>The operations of a job; null for a job without operations.</summary>
     public static IReadOnlyList<OperationJson>? Of(PreparedJob? job) => job?.Settings.Operations is null
         ? null
-        : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, KindOf(one.Operation.Kind), one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut))];
-
-    private static string KindOf(OperationKind kind) => kind.ToString().ToLowerInvariant();
+        : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, one.Operation.KindWord, one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut))];
 }

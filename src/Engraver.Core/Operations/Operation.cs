@@ -90,6 +90,9 @@ public sealed record Operation
     /// <summary>Bridges that hold the part; null for none.</summary>
     public PartTabs? Tabs { get; init; }
 
+    /// <summary>The kind as files write it.</summary>
+    public string KindWord => OperationFields.WordOf(Kind);
+
     /// <summary>The name, or the id where it has none.</summary>
     public string Title => Name.Length > 0 ? Name : Id;
 

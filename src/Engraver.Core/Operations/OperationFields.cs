@@ -61,7 +61,7 @@ internal sealed class OperationFields
     {
         if (Find(name) is not { } value) return otherwise;
         if (value.ValueKind is JsonValueKind.True or JsonValueKind.False) return value.GetBoolean();
-        Invalid(PathOf(name), Shown(value), $"{true}, {false}".ToLowerInvariant());
+        Invalid(PathOf(name), Shown(value), Wording.Get("OperationFile.Switch"));
         return otherwise;
     }
 

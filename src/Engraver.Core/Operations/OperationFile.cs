@@ -8,7 +8,8 @@ namespace Engraver.Core.Operations;
 /// allowed; unknown fields are errors.</summary>
 public static class OperationFile
 {
-    internal const string Version = "1.0";
+    /// <summary>Version of the files that are written and read.</summary>
+    public const string Version = "1.0";
     private const double LargestLength = 1e4;
     private const double LargestSpeed = 1e6;
 

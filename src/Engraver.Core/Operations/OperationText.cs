@@ -50,7 +50,7 @@ internal static class OperationText
         writer.WriteString("id", operation.Id);
         if (operation.Name.Length > 0) writer.WriteString("name", operation.Name);
         if (!operation.IsOn) writer.WriteBoolean("on", false);
-        writer.WriteString("kind", OperationFields.WordOf(operation.Kind));
+        writer.WriteString("kind", operation.KindWord);
         Write(writer, operation.Select);
         writer.WriteNumber("tool", operation.Tool);
         WriteNumber(writer, "feed", operation.Feed);

@@ -23,7 +23,7 @@ public static class OperationEdits
     /// <exception cref="SettingException">The operation is not valid; the message states why.</exception>
     public static OperationPlan Added(OperationPlan? plan, JsonObject operation, JsonObject? tool)
     {
-        var file = plan is null ? new JsonObject { ["version"] = "1.0", ["tools"] = new JsonArray(), ["operations"] = new JsonArray() } : FileOf(plan);
+        var file = plan is null ? new JsonObject { ["version"] = OperationFile.Version, ["tools"] = new JsonArray(), ["operations"] = new JsonArray() } : FileOf(plan);
         if (tool is not null) file["tools"]!.AsArray().Add(tool);
         file["operations"]!.AsArray().Add(operation);
         return Read(file);

@@ -1,5 +1,7 @@
+using Engraver.Core.Machines;
 using Engraver.Core.Operations;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -23,7 +25,9 @@ public class OperationCommandTests
         await talk.TypeAsync("OPERATION", "New", "E", "0", "1", "0.1"); // a tool of the library that no operation has used
         Assert.Equal(("Engraver 60", 0.2), (Plan(talk)!.ToolOf(Plan(talk)!.Operations[4]).Name, Plan(talk)!.Tools[0].Diameter));
         await talk.TypeAsync("U");
-        Assert.DoesNotContain(talk.Session.Derivation.Current?.Job?.Faults ?? [], _ => true);
+        var job = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, MotionStyle.Continuous);
+        Assert.Empty(job.Faults);
+        Assert.NotNull(job.Motion.Program);
     }
 
     [Fact]
