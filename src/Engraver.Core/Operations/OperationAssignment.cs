@@ -99,7 +99,6 @@ public sealed record OperationAssignment
         }
 
         if (active.Count == 0) yield return OperationRules.NothingOn.At(default, tool == 0 ? "*" : FactText.Of(tool));
-        if (active.Select(operation => operation.Tool).Distinct().Order().ToList() is { Count: > 1 } tools) yield return OperationRules.SeveralTools.At(default, string.Join(", ", tools.Select(tool => plan.Tools.First(one => one.Number == tool).Title)));
     }
 
     /// <summary>Speeds and depths that the machine cannot count, and depths that the tool does not reach.</summary>

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Operations;
 using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.SerialTexts;
@@ -45,6 +46,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = job.NoProgramReason };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { NoProgramReason = job.NoProgramReason };
+        if (ToolSection.RefusalOfSeveral(job.Sections) is { } several) return new PostedProgram(null, [.. job.Diagnostics, several]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.SeveralTools.Id) };
         var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm });
         return Written(written, job.Diagnostics);
     }

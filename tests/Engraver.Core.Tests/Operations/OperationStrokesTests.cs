@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Operations;
@@ -41,13 +42,34 @@ public class OperationStrokesTests
     [InlineData("""{ "id": "a", "kind": "engrave", "select": {"layers": ["MARX"]}, "tool": 1, "depth": 1 }""", "OPR0005")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": {"handles": ["FFFF"]}, "tool": 1, "depth": 1 }""", "OPR0006")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1 }""", "OPR0011")]
-    [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }, { "id": "b", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 2, "depth": 1 }""", "OPR0012")]
     [InlineData("""{ "id": "a", "on": false, "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }""", "OPR0020")]
     [InlineData("""{ "id": "a", "on": false, "kind": "engrave", "select": {"layers": ["MARX"]}, "tool": 2, "depth": 1 }, { "id": "b", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 }""", "OPR0005")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 1000000 }""", "OPR0003")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 0.001 }""", "OPR0003")]
     [InlineData("""{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.0003 }""", "OPR0003")]
     public void Operations_that_do_not_fit_the_drawing_or_the_job_are_faults(string operations, string id) => Assert.Equal(id, Assert.Single(new OperationJob(Plate(), operations).Assignment.Faults).Id);
+
+    /// <summary>Tools 1, 2, 2 and 1; the third operation takes nothing, and the order of the operations is kept.</summary>
+    [Fact]
+    public void A_job_has_a_section_for_every_change_of_the_tool()
+    {
+        var job = new OperationJob(Plate(), """
+            { "id": "a", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1, "depthPerPass": 0.5 },
+            { "id": "b", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 2, "depth": 2 },
+            { "id": "c", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1 },
+            { "id": "d", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 2, "depth": 1 },
+            { "id": "e", "kind": "profile", "select": {"layers": ["CUT"]}, "tool": 1, "depth": 2 }
+            """);
+
+        var sections = ToolSection.Of(job.Plan, job.Passes.Strokes);
+        Assert.Equal(["1: a", "2: b d", "1: e"], sections.Select(section => FormattableString.Invariant($"{section.Tool.Number}: {string.Join(' ', section.Operations.Select(operation => operation.Id))}")));
+        Assert.Equal([(0, 2), (2, 6), (6, 9)], sections.Select(section => (section.FirstStroke, section.EndStroke)));
+        Assert.All(sections, section => Assert.All(section.Passes, pass => Assert.Equal(section.Tool.Number, pass.Operation.Tool)));
+        Assert.Empty(job.Assignment.Faults);
+        Assert.Empty(ToolSection.Of(job.Plan, []));
+        Assert.Equal("1, 2", ToolSection.RefusalOfSeveral(sections)!.Facts[0]);
+        Assert.Null(ToolSection.RefusalOfSeveral([sections[1]]));
+    }
 
     [Fact]
     public void Without_a_tool_axis_depths_and_holes_are_faults_and_strokes_are_flat()

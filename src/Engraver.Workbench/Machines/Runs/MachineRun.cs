@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Core.Operations;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -32,6 +33,7 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
+        if (ToolSection.RefusalOfSeveral(job.Sections) is { } several) return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, several.Message), RunJudgement.Unknown, "", 0.0);
         using var clock = connection.CreateClock();
         var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
         var (kept, unkept) = ConversationFile.Create(options.JournalPath);
