@@ -32,8 +32,6 @@ public static class OperationRules
 
     public static readonly DiagnosticRule SpindleByHand = new("OPR0014", Severity.Info, "operation", "speed");
 
-    public static readonly DiagnosticRule LowestPlunge = new("OPR0015", Severity.Info, "plunge");
-
     public static readonly DiagnosticRule OpenContour = new("OPR0016", Severity.Error, "operation", "x", "y");
 
     public static readonly DiagnosticRule NotPosted = new("OPR0017", Severity.Error, "target");
@@ -56,6 +54,6 @@ public static class OperationRules
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
-        SpindleByHand, LowestPlunge, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled,
+        SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled,
     ];
 }

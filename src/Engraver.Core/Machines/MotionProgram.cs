@@ -13,6 +13,9 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     /// stroke.</summary>
     public CountsPoint? Finish { get; init; }
 
+    /// <summary>The longest wait that an operation states, seconds; 0 for none.</summary>
+    public double LongestWait => Strokes.Select(stroke => stroke.Terms?.LongestWait ?? 0.0).DefaultIfEmpty().Max();
+
     public int SegmentCount => Strokes.Sum(stroke => stroke.SegmentCount);
 
     /// <summary>The segment after the given number in the order of cutting, with its start and the index of its stroke in <see cref="Strokes"/>; null after the

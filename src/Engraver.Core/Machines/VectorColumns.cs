@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 12 for a sequence, 40 for a stroke. Objects are
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 12 for a sequence, 48 for a stroke. Objects are
 /// created only while they are read.</summary>
 /// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
 /// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
@@ -26,12 +26,13 @@ public sealed class VectorColumns(int segments)
     /// <summary>Appends a stroke of the sequences that were appended since the last one.</summary>
     /// <param name="index">Index of the stroke of the toolpath.</param>
     /// <param name="start">Where it begins.</param>
+    /// <param name="terms">As <see cref="MotionStroke.Terms"/>.</param>
     /// <returns>False when there are no such sequences: nothing is appended.</returns>
-    public bool EndStroke(int index, CountsPoint start)
+    public bool EndStroke(int index, CountsPoint start, StrokeTerms? terms = null)
     {
         var first = _strokes.Count == 0 ? 0 : _strokes[^1].EndOfSequences;
         if (first == _sequences.Count) return false;
-        _strokes.Add(new StrokeCells { Index = index, Start = start, FirstSequence = first, EndOfSequences = _sequences.Count, EndOfSegments = _segments.Count });
+        _strokes.Add(new StrokeCells { Index = index, Start = start, FirstSequence = first, EndOfSequences = _sequences.Count, EndOfSegments = _segments.Count, Terms = terms });
         return true;
     }
 
@@ -41,7 +42,7 @@ public sealed class VectorColumns(int segments)
     private MotionStroke Stroke(int index)
     {
         var cells = _strokes[index];
-        return new MotionStroke(cells.Index, cells.Start, new StrokeSequences(this, cells.Start, cells.FirstSequence, cells.EndOfSequences - cells.FirstSequence, cells.EndOfSegments));
+        return new MotionStroke(cells.Index, cells.Start, new StrokeSequences(this, cells.Start, cells.FirstSequence, cells.EndOfSequences - cells.FirstSequence, cells.EndOfSegments)) { Terms = cells.Terms };
     }
 
     internal VectorSegment Segment(int index)
@@ -85,6 +86,7 @@ public sealed class VectorColumns(int segments)
 
     private struct StrokeCells
     {
+        public StrokeTerms? Terms;
         public CountsPoint Start;
         public int Index;
         public int FirstSequence;

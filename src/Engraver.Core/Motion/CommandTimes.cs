@@ -25,6 +25,11 @@ public abstract class CommandTimes
     /// <summary>Counts/s at which the tool's axis moves down to the work.</summary>
     public abstract double PlungeSpeed(MachineProfile profile);
 
+    /// <summary>Time of a wait that an operation states, at standstill.</summary>
+    /// <param name="at">Position of the machine, job frame.</param>
+    /// <param name="seconds">Above 0.</param>
+    public virtual double Wait(CountsPoint at, double seconds) => seconds;
+
     /// <summary>Time to switch the tool on or off once, with its settle time; where an axis is the tool drive, the time of the commands for its
     /// moves.</summary>
     /// <param name="at">Position of the machine, job frame.</param>

@@ -41,8 +41,8 @@ public sealed class MotionSchedule
         {
             if (_parts.BeginAfter(_moves.Count)) _wait += profile.Spindle?.SpinUpSeconds ?? 0.0;
             Add(MotionTime.RapidTo(stroke.Start, at, _program, _commands).Rapid, stroke.Start);
-            _wait = profile.ToolSettleSeconds; // from the last switch on, also where there is no rapid between two strokes
-            foreach (var sequence in stroke.Sequences) Cut(sequence);
+            _wait = profile.ToolSettleSeconds + (stroke.Terms?.PierceSeconds ?? 0.0); // from the last switch on, also where there is no rapid between two strokes
+            foreach (var sequence in stroke.Sequences) Cut(sequence, stroke.Terms);
             at = stroke.Sequences[^1].End;
             _wait += profile.OffSettleSeconds;
         }
@@ -51,11 +51,11 @@ public sealed class MotionSchedule
     }
 
     /// <summary>One sequence, divided as the parts of the program divide it.</summary>
-    private void Cut(VectorSequence sequence)
+    private void Cut(VectorSequence sequence, StrokeTerms? terms)
     {
         for (VectorSequence? rest = sequence; rest is not null;)
         {
-            if (_parts.BeginAfter(_moves.Count)) _wait = _program.Profile.ToolSettleSeconds;
+            if (_parts.BeginAfter(_moves.Count)) _wait = _program.Profile.ToolSettleSeconds + (terms?.PierceSeconds ?? 0.0);
             var head = _parts.LastBefore(_moves.Count + 1) is { } last ? UpTo(last, rest) : rest;
             Add(Seconds(head), head.End, head.Segments.Count);
             rest = head.Segments.Count == rest.Segments.Count ? null : rest with { Start = head.End, Segments = [.. rest.Segments.Skip(head.Segments.Count)] };

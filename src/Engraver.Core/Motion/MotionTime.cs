@@ -15,13 +15,13 @@ public static class MotionTime
         if (program.Strokes.Count == 0) return default;
         var times = new MotionTimes(0.0, 0.0, commands.Loading(program) + (program.Profile.Spindle?.SpinUpSeconds ?? 0.0));
         var at = program.Start;
-        if (program.Profile.Height is not null) times += ToolAt(at, on: false, program, commands); // it is raised from its present height
+        if (program.Profile.Height is not null) times += ToolAt(at, on: false, null, program, commands); // it is raised from its present height
         foreach (var stroke in program.Strokes)
         {
-            times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, program, commands);
+            times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, stroke.Terms, program, commands);
             for (var i = 0; i < stroke.Sequences.Count; i++) times += Cut(stroke.Sequences[i], program, commands);
             at = stroke.Sequences[^1].End;
-            times += ToolAt(at, on: false, program, commands);
+            times += Dwell(at, stroke.Terms, commands) + ToolAt(at, on: false, stroke.Terms, program, commands);
         }
 
         return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
@@ -42,20 +42,25 @@ public static class MotionTime
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
-    /// <summary>The tool is switched on or off; the moves of a tool axis count as rapids.</summary>
-    internal static MotionTimes ToolAt(CountsPoint at, bool on, MotionProgram program, CommandTimes commands)
+    /// <summary>The wait at the end of a stroke.</summary>
+    internal static MotionTimes Dwell(CountsPoint at, StrokeTerms? terms, CommandTimes commands) => terms is { DwellSeconds: > 0.0 and var seconds } ? new MotionTimes(0.0, 0.0, commands.Wait(at, seconds)) : default;
+
+    /// <summary>The tool is switched on or off, and waits before it moves; the moves of a tool axis count as rapids.</summary>
+    /// <param name="terms">Of the stroke; null: as the profile states.</param>
+    internal static MotionTimes ToolAt(CountsPoint at, bool on, StrokeTerms? terms, MotionProgram program, CommandTimes commands)
     {
-        var moving = program.Profile.Axes.Z is { } z && program.Profile.Height is not null ? HeightSeconds(at.Z, on, program.Profile, z, commands) : 0.0;
-        return new MotionTimes(0.0, moving, commands.Tool(at, on, moving, program));
+        var moving = program.Profile.Axes.Z is { } z && program.Profile.Height is not null ? HeightSeconds(at.Z, on, terms, program.Profile, z, commands) : 0.0;
+        var switching = commands.Tool(at, on, moving, program);
+        return new MotionTimes(0.0, moving, switching + (on && terms is { PierceSeconds: > 0.0 and var seconds } ? commands.Wait(at, seconds) : 0.0));
     }
 
-    private static double HeightSeconds(int height, bool on, MachineProfile profile, MachineAxis z, CommandTimes commands)
+    private static double HeightSeconds(int height, bool on, StrokeTerms? terms, MachineProfile profile, MachineAxis z, CommandTimes commands)
     {
         double Move(double from, double to, double speed) => Sampled(Math.Abs(to - from), speed, profile.AccelerationCounts, commands);
         var (clearance, rapid) = (profile.ClearanceCounts, commands.RapidSpeed(profile, z));
         if (!on) return Move(height, clearance, rapid);
         var retract = profile.UpSign * Math.Max(profile.UpSign * profile.RetractCounts, profile.UpSign * height);
-        return Move(clearance, retract, rapid) + Move(retract, height, commands.PlungeSpeed(profile));
+        return Move(clearance, retract, rapid) + Move(retract, height, terms?.PlungeSpeed ?? commands.PlungeSpeed(profile));
     }
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>

@@ -43,7 +43,7 @@ public sealed class MotionTimeline
     {
         var timeline = new MotionTimeline(program, commands);
         var at = program.Start;
-        if (program is { Strokes.Count: > 0, Profile.Height: not null } && MotionTime.ToolAt(at, on: false, program, commands) is var raise) timeline.Add(SpanColumn.SpanPart.Raise, raise.Dwell + raise.Rapid, 0, 0);
+        if (program is { Strokes.Count: > 0, Profile.Height: not null } && MotionTime.ToolAt(at, on: false, null, program, commands) is var raise) timeline.Add(SpanColumn.SpanPart.Raise, raise.Dwell + raise.Rapid, 0, 0);
         for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -69,7 +69,7 @@ public sealed class MotionTimeline
         var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands);
         Add(SpanColumn.SpanPart.Wait, rapid.Dwell, index, 0);
         Add(SpanColumn.SpanPart.Rapid, rapid.Rapid, index, 0);
-        var on = MotionTime.ToolAt(stroke.Start, on: true, Program, _commands);
+        var on = MotionTime.ToolAt(stroke.Start, on: true, stroke.Terms, Program, _commands);
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
             var cut = MotionTime.Cut(stroke.Sequences[i], Program, _commands);
@@ -80,7 +80,8 @@ public sealed class MotionTimeline
         }
 
         var last = stroke.Sequences.Count - 1;
-        var off = MotionTime.ToolAt(stroke.Sequences[last].End, on: false, Program, _commands);
+        Add(SpanColumn.SpanPart.Dwell, MotionTime.Dwell(stroke.Sequences[last].End, stroke.Terms, _commands).Dwell, index, last);
+        var off = MotionTime.ToolAt(stroke.Sequences[last].End, on: false, stroke.Terms, Program, _commands);
         Add(SpanColumn.SpanPart.ToolOff, off.Dwell + off.Rapid, index, last);
     }
 

@@ -9,7 +9,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
     /// <summary>Interval, in spans, at which start times are stored; those between are added up again, by the same sums.</summary>
     private const int Stride = 16;
 
-    private const int PartBits = 3;
+    private const int PartBits = 4;
 
     private readonly List<double> _seconds = new((2 * firstSequences[^1]) + (4 * firstSequences.Length));
     private readonly List<int> _places = new((2 * firstSequences[^1]) + (4 * firstSequences.Length));
@@ -25,6 +25,9 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         Load,
         ToolOn,
         Cut,
+
+        /// <summary>The tool waits at the end of the stroke.</summary>
+        Dwell,
         ToolOff,
 
         /// <summary>The move to the finish of the program.</summary>
@@ -91,7 +94,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         if (stroke < 0) stroke = ~stroke - 1;
         var within = sequence - firstSequences[stroke];
         var (from, to) = PlacesOf(part, stroke, within);
-        return new MotionSpan(KindOf(part), start, _seconds[index], stroke, within, from, to, part is SpanPart.ToolOn or SpanPart.Cut || (part == SpanPart.Load && within > 0));
+        return new MotionSpan(KindOf(part), start, _seconds[index], stroke, within, from, to, part is SpanPart.ToolOn or SpanPart.Cut or SpanPart.Dwell || (part == SpanPart.Load && within > 0));
     }
 
     private static MotionSpanKind KindOf(SpanPart part) => part switch
@@ -110,7 +113,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
             SpanPart.Wait => (Before(stroke), Before(stroke)),
             SpanPart.Rapid => (Before(stroke), program.Strokes[stroke].Start),
             SpanPart.Cut => (cut.Start, cut.End),
-            SpanPart.ToolOff => (cut.End, cut.End),
+            SpanPart.Dwell or SpanPart.ToolOff => (cut.End, cut.End),
             SpanPart.Finish => (cut.End, program.Finish!.Value),
             _ => (cut.Start, cut.Start),
         };

@@ -75,6 +75,12 @@ public sealed record Operation
     /// <summary>Depth of a peck of a drill, after which the tool rises to the surface; null: one movement.</summary>
     public double? Peck { get; init; }
 
+    /// <summary>Time at the bottom of a hole, seconds.</summary>
+    public double DwellSeconds { get; init; }
+
+    /// <summary>Time between the tool at work and its first move, seconds: until a beam has gone through the material.</summary>
+    public double PierceSeconds { get; init; }
+
     /// <summary>A drill takes circles up to this diameter only; null: every circle.</summary>
     public double? MaxDiameter { get; init; }
 

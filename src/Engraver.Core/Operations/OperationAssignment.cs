@@ -58,12 +58,12 @@ public sealed record OperationAssignment
             Parts = [.. rows.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), analysed.Picking([.. entry.Value])))],
             NotTaken = [.. notTaken.Keys],
             Contours = contours,
-            Findings = [.. FindingsOf(rows, plan, machine), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
+            Findings = [.. FindingsOf(rows, plan), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
             Faults = [.. FaultsOf(drawing, plan, machine, limits, tool)],
         };
     }
 
-    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, List<int>> rows, OperationPlan plan, MachineProfile machine)
+    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, List<int>> rows, OperationPlan plan)
     {
         foreach (var (operation, taken) in rows)
         {
@@ -76,8 +76,6 @@ public sealed record OperationAssignment
         {
             if (rows[one].Intersect(rows[other]).Count() is > 0 and var count) yield return OperationRules.CutTwice.At(default, one.Title, other.Title, FactText.Of(count));
         }
-
-        if (active.Select(operation => plan.PlungeOf(operation, machine)).OfType<double>().Distinct().ToList() is { Count: > 1 } plunges) yield return OperationRules.LowestPlunge.At(default, FactText.Of(plunges.Min()));
     }
 
     private static IEnumerable<Diagnostic> FaultsOf(Drawing drawing, OperationPlan plan, MachineProfile machine, MachineLimits limits, int tool)
@@ -106,6 +104,7 @@ public sealed record OperationAssignment
     {
         var feed = plan.FeedOf(operation, machine);
         if (!MachineProfileValidation.IsFeed(feed, machine, limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": feed", FactText.Of(feed), MachineProfileValidation.FeedRange(machine, limits));
+        if (plan.PlungeOf(operation, machine) is { } plunge && !MachineProfileValidation.IsSpeed(machine.Scale.Z.CountsOf(plunge / 60.0), limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": plunge", FactText.Of(plunge), MachineProfileValidation.AxisSpeeds(limits));
         if (operation.Depth is not { } depth) yield break;
         if (plan.ToolOf(operation) is { MaxDepth: { } limit } tool && depth > limit) yield return OperationRules.DeeperThanTool.At(default, operation.Title, FactText.Of(depth), tool.Title, FactText.Of(limit));
         if (machine.Height is null) yield break;

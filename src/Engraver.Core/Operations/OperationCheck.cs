@@ -31,6 +31,7 @@ public static class OperationCheck
         foreach (var shape in shapes)
         {
             var passes = own[shape.Operation.Id].GroupBy(stroke => stroke.Pass, stroke => stroke.Stroke).OrderBy(pass => pass.Key).Select(pass => pass.ToList()).ToList();
+            if (passes.SelectMany(pass => pass).FirstOrDefault(stroke => (stroke.PierceSeconds, stroke.DwellSeconds) != (shape.Operation.PierceSeconds, shape.Operation.DwellSeconds)) is { } unlike) findings.Add(NotAsStated(shape, "wait", unlike.Start));
             findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, passes) : PassFindings(shape, passes, tolerances, sourceOf));
         }
 

@@ -13,6 +13,9 @@ public static class OperationFile
     private const double LargestLength = 1e4;
     private const double LargestSpeed = 1e6;
 
+    /// <summary>Seconds; well below the time after which a program without motion counts as stuck.</summary>
+    private const double LongestWait = 30.0;
+
     /// <summary>Maximum number of passes or pecks of an operation.</summary>
     private const int MostPasses = 1000;
 
@@ -30,7 +33,7 @@ public static class OperationFile
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
-        "leadIn", "leadOut", "start", "tabs", "side", "spacing", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter",
+        "leadIn", "leadOut", "start", "tabs", "side", "spacing", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
     /// <summary>Reads a file. Every error is a diagnostic with its line.</summary>
@@ -204,6 +207,8 @@ public static class OperationFile
             IsZigzag = of.Switch("zigzag", false),
             AngleDegrees = of.Number("angle", -360.0, 360.0, includesLowest: true) ?? 0.0,
             Peck = of.Number("peck", 0.0, LargestLength, includesLowest: false),
+            DwellSeconds = of.Number("dwell", 0.0, LongestWait, includesLowest: true) ?? 0.0,
+            PierceSeconds = of.Number("pierce", 0.0, LongestWait, includesLowest: true) ?? 0.0,
             MaxDiameter = of.Number("maxDiameter", 0.0, LargestLength, includesLowest: false),
             LeadIn = LeadOf(of, "leadIn", path, lines, findings),
             LeadOut = LeadOf(of, "leadOut", path, lines, findings),
@@ -242,7 +247,7 @@ public static class OperationFile
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
         ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
-        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("maxDiameter", [OperationKind.Drill]),
+        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];
 

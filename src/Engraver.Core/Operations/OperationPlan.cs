@@ -35,7 +35,7 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
 
     /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its
-    /// profile; its feed is the highest of the operations. Applied to
+    /// profile; its feeds are the highest of the operations, of which each stroke has its own. Applied to
     /// its own result, it changes nothing.</summary>
     /// <param name="tool">As for <see cref="Active"/>.</param>
     public MachineProfile Applied(MachineProfile machine, int tool)
@@ -43,7 +43,7 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
         ArgumentNullException.ThrowIfNull(machine);
         machine = machine with { FeedMmPerMinute = Active(tool).Select(operation => FeedOf(operation, machine)).DefaultIfEmpty(machine.FeedMmPerMinute).Max() };
         if (machine.Height is not { } drive) return machine;
-        var plunge = Active(tool).Select(operation => PlungeOf(operation, machine)!.Value).DefaultIfEmpty(drive.PlungeMmPerMinute).Min();
+        var plunge = Active(tool).Select(operation => PlungeOf(operation, machine)!.Value).DefaultIfEmpty(drive.PlungeMmPerMinute).Max();
         return machine with { Height = drive with { CutDepth = 0.0, DepthPerPass = null, PlungeMmPerMinute = plunge } };
     }
 

@@ -74,6 +74,8 @@ internal static class OperationText
         if (operation.Tabs is { } tabs) Write(writer, tabs);
         WriteNumber(writer, "peck", operation.Peck);
         WriteNumber(writer, "maxDiameter", operation.MaxDiameter);
+        WriteNumber(writer, "dwell", operation.DwellSeconds == 0.0 ? null : operation.DwellSeconds);
+        WriteNumber(writer, "pierce", operation.PierceSeconds == 0.0 ? null : operation.PierceSeconds);
         writer.WriteEndObject();
     }
 

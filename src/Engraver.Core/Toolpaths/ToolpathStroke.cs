@@ -16,6 +16,15 @@ public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<Stroke
     /// <summary>Cutting speed along the path, mm/min; null: that of the machine.</summary>
     public double? FeedMmPerMinute { get; init; }
 
+    /// <summary>Speed straight down, mm/min; null: that of the machine.</summary>
+    public double? PlungeMmPerMinute { get; init; }
+
+    /// <summary>Time between the tool at work and the first move, after the settle time of the machine, seconds.</summary>
+    public double PierceSeconds { get; init; }
+
+    /// <summary>Time at the end of the last move before the tool is taken away, seconds.</summary>
+    public double DwellSeconds { get; init; }
+
     public Point2D Start => Moves[0].Segment.Start;
 
     public Point2D End => Moves[^1].Segment.End;

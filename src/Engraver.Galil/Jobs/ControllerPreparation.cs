@@ -10,9 +10,10 @@ namespace Engraver.Galil.Jobs;
 
 /// <summary>Prepares a free controller for a job: the stop is tested, the job's program is loaded and started with its watchdog, and the settings are sent
 /// and read back.</summary>
+/// <param name="wait">The longest wait that an operation states, seconds.</param>
 /// <param name="resident">The program in the controller for this job.</param>
 /// <param name="isHandMove">A move by hand, which does not cut and leaves the mark of the last job valid.</param>
-internal sealed class ControllerPreparation(ControllerSession session, MachineProfile profile, JobOptions options, ResidentProgram resident, bool isHandMove)
+internal sealed class ControllerPreparation(ControllerSession session, MachineProfile profile, double wait, JobOptions options, ResidentProgram resident, bool isHandMove)
 {
     private static readonly string[] s_settings = ["AC", "DC"];
 
@@ -34,7 +35,7 @@ internal sealed class ControllerPreparation(ControllerSession session, MachinePr
     [
         .. profile.OffAtAbort.Select(OperatorStop.SwitchOffCommand),
         "CAS",
-        ResidentServer.DefineVariables(profile),
+        ResidentServer.DefineVariables(profile, wait),
         ResidentServer.MarkCommand(mark),
         .. ResidentServer.DefineHeight(profile, frame.Given, frame.Lift, !isHandMove),
         .. session.Found.MotorsOff.Where(profile.Axes.Letters.Contains).Select(letter => $"SH{letter}"),

@@ -51,7 +51,7 @@ internal sealed class Job
         _machine = new JobMachine(session, program, options, _ledger, _log, stop) { Mark = mark };
         _memory = new ControllerProgramMemory(session);
         _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
-        _preparation = new ControllerPreparation(session, program.Profile, options, hand?.Resident ?? ResidentServer.Program(options.Mode(), program.Profile), _isHandMove);
+        _preparation = new ControllerPreparation(session, program.Profile, program.LongestWait, options, hand?.Resident ?? ResidentServer.Program(options.Mode(), program.Profile), _isHandMove);
         _stopper = new OperatorStop(session, program.Profile.OffAtStop, s_ownThreads, program.Profile.Axes.Letters);
         _standstill = new JobStandstill(session, _machine, _ledger, options, _stopper, _isHandMove);
         _strategy = hand?.Create(_machine) ?? StrategyOf(_options.Mode());

@@ -19,7 +19,7 @@ internal sealed class JobMachine
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, JobLog log, StopOrder order)
     {
         (Session, Profile, _pollInterval, _ledger, _log, _order) = (session, program.Profile, options.PollInterval, ledger, log, order);
-        var progress = new ProgressWatch(program.Profile);
+        var progress = new ProgressWatch(program);
         Commands = new JobCommands(session, order, ledger, progress);
         _reader = new StateReader(session, program.Profile.Axes, options.FollowedAxes, Commands, order);
         Frame = new JobCoordinates(program, options);

@@ -22,14 +22,22 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// cut.</summary>
     private bool _wasUp;
 
+    /// <summary>How the tool is brought to the work and taken away at the present stroke; null: as the profile states.</summary>
+    public StrokeTerms? Terms { get; set; }
+
+    private StrokeTerms? PresentTerms => machine.Phase.Program is { } program ? program.TermsAt(machine.State.Calls) : Terms;
+
     /// <summary>State of the output that this poll should show: as this job switched it, or as the program in the controller should have switched it. In a
     /// dry run and while the job is held always off. Null where it is not known, or no output is the tool.</summary>
     public bool? Wanted(JobPoll state) =>
         machine.Profile.Height is not null ? null : dryRun || _isHeldOff ? false : machine.Phase.Program is null ? _isOn : ChunkProgress.IsToolWanted(state);
 
-    /// <summary>Brings the tool to the work.</summary>
+    /// <summary>Brings the tool to the work, and waits as the operation of the stroke states; a hold ends this wait.</summary>
     /// <param name="at">Where the cut begins, job frame; only its height is used, and only where an axis drives the tool.</param>
     public ValueTask OnAsync(CountsPoint at) => machine.Profile.Height is not null ? PlungeAsync(at.Z + machine.Frame.Origin.Z) : dryRun || _isOn ? ValueTask.CompletedTask : SwitchAsync(true);
+
+    /// <summary>Waits at the end of a stroke as its operation states.</summary>
+    public ValueTask DwellAsync() => Terms is { DwellSeconds: > 0.0 and var seconds } ? WaitAsync(seconds) : ValueTask.CompletedTask;
 
     /// <summary>Takes the tool from the work.</summary>
     public ValueTask OffAsync() => machine.Profile.Height is not null ? ClearAsync() : _isOn ? SwitchAsync(false) : ValueTask.CompletedTask;
@@ -75,7 +83,8 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         var (from, retract) = (machine.State.Position.Z, machine.Frame.Origin.Z + machine.Profile.RetractCounts);
         if (from == goal) return;
         if (machine.Profile.IsLower(retract, from)) await RapidMove.ToHeightAsync(machine, machine.Profile.IsLower(retract, goal) ? goal : retract).ConfigureAwait(false);
-        await RapidMove.ToHeightAsync(machine, goal, _ => machine.Profile.PlungeSpeed()).ConfigureAwait(false);
+        await RapidMove.ToHeightAsync(machine, goal, _ => machine.Profile.PlungeSpeed(Terms)).ConfigureAwait(false);
+        await PierceAsync(Terms).ConfigureAwait(false);
     }
 
     /// <summary>Off for the time of a hold, whether this job or a program switched it on; nothing where it is off, or where an axis drives the
@@ -93,8 +102,14 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         if (!_isHeldOff) return;
         if (isCutting) await SendAsync(on: true).ConfigureAwait(false);
         _isHeldOff = false;
-        if (isCutting) await WaitAsync(machine.Profile.ToolSettleSeconds).ConfigureAwait(false);
-        else _isOn = false;
+        if (!isCutting)
+        {
+            _isOn = false;
+            return;
+        }
+
+        await WaitAsync(machine.Profile.ToolSettleSeconds).ConfigureAwait(false);
+        await PierceAsync(PresentTerms).ConfigureAwait(false);
     }
 
     /// <summary>What was in progress is given up with the tool off: no hold switches it on again.</summary>
@@ -105,15 +120,18 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         await SendAsync(on).ConfigureAwait(false);
         _isOn = on;
         await WaitAsync(on ? machine.Profile.ToolSettleSeconds : machine.Profile.OffSettleSeconds).ConfigureAwait(false);
+        if (on) await PierceAsync(Terms).ConfigureAwait(false);
     }
+
+    private ValueTask PierceAsync(StrokeTerms? terms) => terms is { PierceSeconds: > 0.0 and var seconds } ? WaitAsync(seconds, endsWithHold: true) : ValueTask.CompletedTask;
 
     private ValueTask SendAsync(bool on) => machine.Commands.SendAsync(Subprograms.Switch(machine.Profile.ToolOutput, on != machine.Profile.ToolActiveLow, " "));
 
-    private async ValueTask WaitAsync(double seconds)
+    private async ValueTask WaitAsync(double seconds, bool endsWithHold = false)
     {
         await machine.GlanceAsync().ConfigureAwait(false);
         var from = machine.State.Time;
         var samples = Math.Ceiling(seconds * SamplesPerSecond);
-        await machine.GlanceUntilAsync(state => PollTimes.SamplesSince(from, state.Time) >= samples, seconds).ConfigureAwait(false);
+        await machine.GlanceUntilAsync(state => PollTimes.SamplesSince(from, state.Time) >= samples || (endsWithHold && machine.Hold.IsHoldWanted), seconds).ConfigureAwait(false);
     }
 }

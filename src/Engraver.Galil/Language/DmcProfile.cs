@@ -28,8 +28,14 @@ public static class DmcProfile
     public static int PlungeSpeed(this MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return EvenCountsPerSecond(profile.Height?.PlungeMmPerMinute ?? 0.0, profile.Scale.Z);
+        return profile.PlungeSpeed(profile.Height?.PlungeMmPerMinute ?? 0.0);
     }
+
+    /// <param name="mmPerMinute">Speed straight down.</param>
+    internal static int PlungeSpeed(this MachineProfile profile, double mmPerMinute) => EvenCountsPerSecond(mmPerMinute, profile.Scale.Z);
+
+    /// <summary>SP of the Z axis below the retract height at one stroke, even counts/s.</summary>
+    public static int PlungeSpeed(this MachineProfile profile, StrokeTerms? terms) => terms?.PlungeSpeed ?? profile.PlungeSpeed();
 
     /// <summary>The settle time as WT needs it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
     /// <param name="on">True for the time after the tool is switched on, false for the time after it is switched off.</param>

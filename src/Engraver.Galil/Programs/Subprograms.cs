@@ -18,6 +18,9 @@ internal static class Subprograms
     /// <summary>Variable: clearance height, the controller's own counts.</summary>
     public const string ClearanceHeight = "zup";
 
+    /// <summary>Variable: speed of the tool's axis down to the work.</summary>
+    private const string PlungeSpeed = "zf";
+
     /// <summary>Cuts a straight line to x, y relative to the machine's position, and waits for its end.</summary>
     /// <param name="last">A statement before the return ("seq=seq+1"), or empty.</param>
     public static IReadOnlyList<string> LinearLines(MachineProfile profile, string last) => Interpolation(profile, Linear, "VP x,y", last);
@@ -84,20 +87,32 @@ internal static class Subprograms
     public static IReadOnlyList<string> SlopeLines(MachineProfile profile, string last) =>
         new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line("VS f").Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 
+    /// <summary>A wait that an operation states; empty for none.</summary>
+    public static string Wait(double seconds) => seconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(seconds)}") : string.Empty;
+
+    /// <summary>Assigns the plunge feed of a stroke; empty where every stroke has that of the profile.</summary>
+    public static string PlungeAssignment(MachineProfile profile, StrokeTerms? terms, bool ownPlunges) => ownPlunges ? DmcFormat.Text($"{PlungeSpeed}={profile.PlungeSpeed(terms)}") : string.Empty;
+
+    /// <summary>Whether strokes have plunge feeds other than that of the profile: #DOWN then has it in a variable.</summary>
+    public static bool HasOwnPlunges(MotionProgram program) => program.Profile.Height is not null && program.Strokes.Any(stroke => stroke.Terms is { } terms && terms.PlungeSpeed != program.Profile.PlungeSpeed());
+
     /// <summary>True when the tool is at the height of a variable or above it, as a condition of JP.</summary>
     public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.UpSign > 0 ? ">=" : "<=")}{height}";
 
     /// <summary>Moves the Z axis and waits.</summary>
-    public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? DmcFormat.Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
+    public static string HeightLine(MachineProfile profile, int speed, string height) => HeightLine(profile, DmcFormat.Text($"{speed}"), height);
+
+    private static string HeightLine(MachineProfile profile, string speed, string height) => profile.Axes.Z!.Value.Letter is var z ? DmcFormat.Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
 
     /// <summary>Moves down to the height z: fast to the retract height zr, then at the plunge feed. The tool must be at clearance height before.</summary>
+    /// <param name="ownPlunges">The plunge feed is a variable.</param>
     /// <param name="check">A line after each of the two moves, or empty.</param>
-    public static IReadOnlyList<string> DownLines(MachineProfile profile, string check, string last) => new ProgramLines()
+    public static IReadOnlyList<string> DownLines(MachineProfile profile, bool ownPlunges, string check, string last) => new ProgramLines()
         .Line(Down)
         .Line("JP#DOWNS," + IsUp(profile, "zr").Replace("_RP" + profile.Axes.Z!.Value.Letter, "z", StringComparison.Ordinal))
         .Line(HeightLine(profile, profile.RapidSpeed(profile.Axes.Z!.Value), "zr"))
         .Line("#DOWNS")
-        .Line(HeightLine(profile, profile.PlungeSpeed(), "z"))
+        .Line(HeightLine(profile, ownPlunges ? PlungeSpeed : DmcFormat.Text($"{profile.PlungeSpeed()}"), "z"))
         .Line(check)
         .Line(last)
         .Line("EN")

@@ -24,7 +24,7 @@ public sealed record OperationSummary(Operation Operation, CuttingTool Tool, dou
         var strokes = job.Sequence.Strokes.Zip(job.Passes).Where(pair => pair.Second.Operation.Id == shape.Operation.Id).Select(pair => pair.First).ToList();
         var curves = Enumerable.Range(0, shape.Part.Table.Count).Select(shape.Part.Table.EntityIndexOf).Distinct().Count();
         return new OperationSummary(
-            shape.Operation, shape.Part.Tool, plan.FeedOf(shape.Operation, job.Settings.Machine), job.Settings.CuttingMachine.Height?.PlungeMmPerMinute, curves, strokes.Count,
+            shape.Operation, shape.Part.Tool, plan.FeedOf(shape.Operation, job.Settings.Machine), plan.PlungeOf(shape.Operation, job.Settings.Machine), curves, strokes.Count,
             shape.Operation.PassDepths().Count, strokes.Sum(stroke => stroke.Length), shape.Uncut.Count);
     }
 }

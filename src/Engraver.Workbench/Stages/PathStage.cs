@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Settings;
 
@@ -14,8 +16,17 @@ internal sealed class PathStage() : JobStage<OrderedJob, PathJob>("Path", share:
     public static Toolpath ToolpathOf(OrderedJob job)
     {
         var path = ToolpathPlanner.Plan(job.Sequence, job.Settings.Start, job.Settings.MaxErrorMm);
-        return job.Settings.Operations is not { } plan || job.Passes.Count == 0 ? path : path with { Strokes = [.. path.Strokes.Zip(job.Passes, (stroke, pass) => stroke with { FeedMmPerMinute = plan.FeedOf(pass.Operation, job.Settings.Machine) })] };
+        if (job.Settings.Operations is not { } plan || job.Passes.Count == 0) return path;
+        return path with { Strokes = [.. path.Strokes.Zip(job.Passes, (stroke, pass) => WithTerms(stroke, pass.Operation, plan, job.Settings.Machine))] };
     }
+
+    private static ToolpathStroke WithTerms(ToolpathStroke stroke, Operation operation, OperationPlan plan, MachineProfile machine) => stroke with
+    {
+        FeedMmPerMinute = plan.FeedOf(operation, machine),
+        PlungeMmPerMinute = plan.PlungeOf(operation, machine),
+        PierceSeconds = operation.PierceSeconds,
+        DwellSeconds = operation.DwellSeconds,
+    };
 
     protected override PathJob Execute(OrderedJob job, CancellationToken cancellation) => new(job, ToolpathOf(job));
 }

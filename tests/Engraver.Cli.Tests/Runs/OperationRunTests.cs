@@ -100,6 +100,20 @@ public sealed class OperationRunTests : IDisposable
         Assert.Equal(4, JsonText.Of(done).GetProperty("operations")[0].GetProperty("strokes").GetInt32());
     }
 
+    [Fact]
+    public async Task Each_operation_has_its_plunge_feed_and_its_waits_in_the_program()
+    {
+        var operations = WithText("\"peck\": 1.5", "\"peck\": 1.5, \"plunge\": 60, \"dwell\": 0.25");
+        var plan = JsonText.Of(await CliRun.RunAsync(["plan", .. s_job, "--operations", operations, "--json"]));
+        var program = _folder.PathOf("plate.dmc");
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["post", .. s_job, "--operations", operations, "--target", "galil", "-o", program])).ExitCode);
+
+        Assert.Equal([120.0, 60.0, 120.0, 120.0], plan.GetProperty("operations").EnumerateArray().Select(one => one.GetProperty("plunge").GetDouble()));
+        var lines = await File.ReadAllLinesAsync(program);
+        Assert.Equal((4, 4), (lines.Count(line => line.Contains(";zf=800;", StringComparison.Ordinal)), lines.Count(line => line == "WT 250;JS#UP")));
+        Assert.Equal(lines.Count(line => line.Contains("JS#DOWN", StringComparison.Ordinal)) - 4, lines.Count(line => line.Contains(";zf=1600;", StringComparison.Ordinal)));
+    }
+
     /// <summary>Stopped in the marks, in a hole, in the pocket, and in the outline.</summary>
     [Theory]
     [InlineData(80)]

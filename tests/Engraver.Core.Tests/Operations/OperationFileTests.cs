@@ -17,8 +17,8 @@ public class OperationFileTests
                   "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
                   "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5 }, "start": { "rule": "top" }, "tabs": { "count": 4, "width": 3, "height": 1 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
-                { "id": "o4", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "angle": 45, "cross": true, "inset": 0.1 },
-                { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, }
+                { "id": "o4", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "angle": 45, "cross": true, "inset": 0.1, "pierce": 1.5 },
+                { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, "dwell": 0.5, }
               ] }
             """);
 
@@ -31,6 +31,7 @@ public class OperationFileTests
         Assert.Equal((true, 0.3, true, 30.0), (plan.Operations[1].Select.IsRest, plan.Operations[1].Stepover, plan.Operations[1].IsZigzag, plan.Operations[1].AngleDegrees));
         Assert.Equal((2.0, 4.0), (plan.Operations[3].Peck!.Value, plan.Operations[3].MaxDiameter!.Value));
         Assert.Equal((0.5, 45.0, true, 0.1), (plan.Operations[2].Spacing, plan.Operations[2].AngleDegrees, plan.Operations[2].IsCross, plan.Operations[2].Inset!.Value));
+        Assert.Equal((1.5, 0.5), (plan.Operations[2].PierceSeconds, plan.Operations[3].DwellSeconds));
         var tool = plan.ToolOf(outline);
         Assert.Equal(("End mill", ToolKind.Endmill, 3.0, 2, 9.0, 600.0, 200.0, 12000.0), (tool.Name, tool.Kind, tool.Diameter, tool.Flutes!.Value, tool.MaxDepth!.Value, tool.Feed!.Value, tool.Plunge!.Value, tool.Spindle!.Value));
         Assert.Equal((ToolKind.Drill, 118.0), (plan.Tools[1].Kind, plan.Tools[1].AngleDegrees!.Value));
@@ -69,6 +70,9 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "side": "left", "direction": "climb" }""", "OPR0003", "operations[0].direction", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "length": 2} }""", "OPR0003", "operations[0].leadIn.length", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": {"colours": ["01"]}, "tool": 3 }""", "OPR0003", "operations[0].select.colours", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "dwell": 1 }""", "OPR0003", "operations[0].dwell", 3)]
+    [InlineData("""{ "id": "o1", "kind": "drill", "select": "rest", "tool": 3, "depth": 1, "pierce": 1 }""", "OPR0003", "operations[0].pierce", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "pierce": 31 }""", "OPR0003", "operations[0].pierce", 3)]
     [InlineData("[1]", "OPR0003", "operations[0]", 2)]
     [InlineData("", "OPR0003", "operations", 2)]
     public void What_is_wrong_is_named_with_its_line(string operations, string id, string field, long line)

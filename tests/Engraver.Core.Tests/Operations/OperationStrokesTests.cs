@@ -253,11 +253,24 @@ public class OperationStrokesTests
         var plan = new OperationJob(Plate(), """{ "id": "a", "kind": "engrave", "select": "rest", "tool": 2, "depth": 1 }, { "id": "b", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1, "plunge": 50 }""").Plan;
 
         var applied = plan.Applied(machine, 0);
-        Assert.Equal((0.0, null, 50.0), (applied.Height!.CutDepth, applied.Height.DepthPerPass, applied.Height.PlungeMmPerMinute));
+        Assert.Equal((0.0, null, 300.0), (applied.Height!.CutDepth, applied.Height.DepthPerPass, applied.Height.PlungeMmPerMinute));
         Assert.Equal(900.0, new OperationJob(Plate(), """{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "feed": 400 }, { "id": "b", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1, "feed": 900 }""").Plan.Applied(machine, 0).FeedMmPerMinute);
         Assert.Equal(300.0, plan.Applied(machine, 2).Height!.PlungeMmPerMinute);
         Assert.Equal(applied, plan.Applied(applied, 0));
     }
+
+    [Fact]
+    public void The_check_finds_a_stroke_without_the_wait_of_its_operation()
+    {
+        var job = new OperationJob(Plate(), """{ "id": "m", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1, "pierce": 0.5 }""");
+
+        Assert.Equal(["OPR0018"], job.CheckOf(job.Path));
+        Assert.Empty(job.CheckOf(job.Path with { Strokes = [.. job.Path.Strokes.Select(stroke => stroke with { PierceSeconds = 0.5 })] }));
+    }
+
+    [Fact]
+    public void A_plunge_feed_that_the_machine_cannot_count_is_refused() =>
+        Assert.Contains(new OperationJob(Plate(), """{ "id": "m", "kind": "engrave", "select": "rest", "tool": 1, "depth": 1, "plunge": 0.1 }""").Assignment.Faults, fault => fault.Id == "OPR0003" && fault.Facts[0] == "m: plunge");
 
     private static bool Within(Point2D place, double from, double to) => place.X > from && place.X < to && place.Y > from && place.Y < to;
 

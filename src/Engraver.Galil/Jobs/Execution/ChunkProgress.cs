@@ -45,6 +45,19 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
     /// <summary>The entity of the present sequence, as a sentence of its own.</summary>
     public string PlaceAt(int mark) => Entity(_sequenceStarts[Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1)]);
 
+    /// <summary>How the tool is brought to the work and taken away at the present stroke; null: as the profile states.</summary>
+    public StrokeTerms? TermsAt(int mark)
+    {
+        var sequence = mark / 2;
+        foreach (var part in chunk.Parts)
+        {
+            if (sequence < part.Sequences.Count) return part.Terms;
+            sequence -= part.Sequences.Count;
+        }
+
+        return null;
+    }
+
     /// <summary>The text of a program line and the entity it cuts, or the next one that is cut after it.</summary>
     /// <param name="line">Line of the program, from 0.</param>
     public string PlaceOf(int line)

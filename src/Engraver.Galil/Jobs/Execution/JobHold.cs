@@ -32,6 +32,9 @@ internal sealed class JobHold(JobMachine machine, JobControl control, JobLog log
     /// <summary>The operator requests something that is not in force yet.</summary>
     public bool IsRequested => !_isAttending && machine.Speed.IsChangeRequested;
 
+    /// <summary>The operator requests that the job is held, or it is.</summary>
+    public bool IsHoldWanted => control.IsHoldWanted;
+
     /// <summary>A path that still runs this long after VR 0 does not obey it: twice the longest ramp, and two seconds.</summary>
     private double SamplesToBrake => 1000.0 * (2.0 + (2.0 * JobControl.FeedRange.Max * machine.Profile.VectorSpeed() / machine.Profile.AccelerationCounts));
 

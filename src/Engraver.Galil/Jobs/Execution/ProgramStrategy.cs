@@ -105,7 +105,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
 
     private IReadOnlyList<string> StartCommands() =>
     [
-        ResidentServer.DefineVariables(machine.Profile),
+        ResidentServer.DefineVariables(machine.Profile, program.LongestWait),
         ResidentServer.MarkCommand(machine.Mark),
         .. ResidentServer.DefineHeight(machine.Profile, machine.Frame.Origin, machine.Frame.Lift, isCut: true),
         .. machine.Tool.HasSpindle ? (string[])[ResidentServer.CloseGateCommand] : [],

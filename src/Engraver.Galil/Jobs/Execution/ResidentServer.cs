@@ -20,8 +20,9 @@ internal static class ResidentServer
 
     /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it
     /// starts.</summary>
-    public static string DefineVariables(MachineProfile profile) =>
-        DmcFormat.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StandstillTickLimit}={StandstillLimit.ControllerTicks(profile)}");
+    /// <param name="wait">The longest wait that an operation states, seconds.</param>
+    public static string DefineVariables(MachineProfile profile, double wait) =>
+        DmcFormat.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StandstillTickLimit}={StandstillLimit.ControllerTicks(profile, wait)}");
 
     /// <summary>By this number the variables that the watchdog leaves are known to be of this job.</summary>
     public static string MarkCommand(int mark) => DmcFormat.Text($"{Variables.JobMark}={mark}");

@@ -24,6 +24,7 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
     {
         var stroke = program.Strokes[index];
         ledger.Enter(index, 0);
+        machine.Tool.Terms = stroke.Terms;
         await RapidMove.ToAsync(machine, stroke.Start).ConfigureAwait(false);
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
@@ -32,6 +33,7 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
             log.SequenceDone(machine);
         }
 
+        await machine.Tool.DwellAsync().ConfigureAwait(false);
         await machine.Tool.OffAsync().ConfigureAwait(false);
     }
 }

@@ -42,6 +42,8 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
     public override double Sequence(VectorSequence sequence, double moving, MotionProgram program) =>
         (SequenceStatements + Math.Min(sequence.Segments.Count, SequenceWriter.SentBeforeStart)) * SecondsPerStatement;
 
+    public override double Wait(CountsPoint at, double seconds) => (DmcProfile.EvenMilliseconds(seconds) / 1000.0) + SecondsPerStatement;
+
     public override double Tool(CountsPoint at, bool on, double moving, MotionProgram program) => program.Profile.Height is null
         ? (program.Profile.SettleMilliseconds(on) / 1000.0) + (ToolStatements * SecondsPerStatement)
         : ((MovesOfTool(on) * HeightStatements) + HeightStatements) * SecondsPerStatement;

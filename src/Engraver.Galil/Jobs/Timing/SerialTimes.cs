@@ -61,10 +61,22 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
 
         var seconds = on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds;
         _talk.Command("SB 1");
-        var switched = _talk.Glance(at).At;
-        var (pause, start) = (Pause(seconds), _talk.Now);
-        while (_talk.Glance(at).At - switched < Settle(program, on)) _talk.Rest(pause.Next(_talk.Now - start));
+        WaitFor(at, seconds);
         return _talk.Now - begun;
+    }
+
+    public override double Wait(CountsPoint at, double seconds)
+    {
+        var begun = _talk.Now;
+        WaitFor(at, seconds);
+        return _talk.Now - begun;
+    }
+
+    private void WaitFor(CountsPoint at, double seconds)
+    {
+        var from = _talk.Glance(at).At;
+        var (pause, start) = (Pause(seconds), _talk.Now);
+        while (_talk.Glance(at).At - from < Waited(seconds)) _talk.Rest(pause.Next(_talk.Now - start));
     }
 
     /// <summary>The server works for a short time before and after the motion; its end is seen by a whole poll, which contains <c>seq</c>.</summary>

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Jobs.Watching;
 /// motion that does not happen, and keep the watchdog from tripping.</summary>
 /// <remarks>Measured in controller time, so that a slow host is not mistaken for a stalled machine; and by several polls, because a single late reply
 /// proves nothing.</remarks>
-internal sealed class ProgressWatch(MachineProfile profile)
+internal sealed class ProgressWatch(MotionProgram program)
 {
     private const double SamplesPerSecond = 1000.0;
     private const int FewestPolls = 10;
@@ -17,7 +17,7 @@ internal sealed class ProgressWatch(MachineProfile profile)
     private int _polls;
 
     /// <summary>Controller seconds without progress until a job is given up.</summary>
-    public double Seconds { get; } = StandstillLimit.Seconds(profile);
+    public double Seconds { get; } = StandstillLimit.Seconds(program.Profile, program.LongestWait);
 
     /// <summary>The controller accepted a command of the job: the time without progress starts again.</summary>
     public void Acted() => _last = null;

@@ -47,17 +47,28 @@ public static class MotionProgramGenerator
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.IsUniform && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var columns = new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count));
-        var generators = new Dictionary<double, StrokeGenerator>();
+        var generators = new Dictionary<(double Feed, double? Plunge), StrokeGenerator>();
         foreach (var stroke in toolpath.Strokes)
         {
             var isCut = false;
-            var feed = stroke.FeedMmPerMinute ?? profile.FeedMmPerMinute;
-            if (!generators.TryGetValue(feed, out var generator)) generators[feed] = generator = new StrokeGenerator(profile with { FeedMmPerMinute = feed }, maxErrorMm, style, columns);
-            foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift);
+            var speeds = (stroke.FeedMmPerMinute ?? profile.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? profile.Height?.PlungeMmPerMinute);
+            if (!generators.TryGetValue(speeds, out var generator)) generators[speeds] = generator = new StrokeGenerator(WithSpeeds(profile, speeds), maxErrorMm, style, columns);
+            foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift, TermsOf(stroke, profile));
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
         return new MotionGeneration(new MotionProgram(profile, start, columns.Strokes()) { Style = style }, findings);
+    }
+
+    /// <summary>The machine with the speeds of a stroke.</summary>
+    private static MachineProfile WithSpeeds(MachineProfile profile, (double Feed, double? Plunge) speeds) =>
+        profile with { FeedMmPerMinute = speeds.Feed, Height = profile.Height is { } drive ? drive with { PlungeMmPerMinute = speeds.Plunge ?? drive.PlungeMmPerMinute } : null };
+
+    /// <summary>Null for a stroke that does as the profile states.</summary>
+    private static StrokeTerms? TermsOf(ToolpathStroke stroke, MachineProfile profile)
+    {
+        var plunge = stroke.PlungeMmPerMinute is { } speed ? profile.PlungeSpeed(speed) : profile.PlungeSpeed();
+        return plunge == profile.PlungeSpeed() && stroke is { PierceSeconds: 0.0, DwellSeconds: 0.0 } ? null : new StrokeTerms(plunge, stroke.PierceSeconds, stroke.DwellSeconds);
     }
 
     private static void AddRefusals(Toolpath toolpath, CountsScale scale, CountsPoint start, Func<int, SourceRef> source, List<Diagnostic> findings)

@@ -39,11 +39,12 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
 
     /// <summary>Appends the stroke.</summary>
     /// <param name="index">Index of the stroke in the toolpath.</param>
+    /// <param name="terms">How the tool is brought to the work and taken away.</param>
     /// <returns>False when the whole stroke is shorter than a count: nothing is appended.</returns>
-    public bool Finish(int index)
+    public bool Finish(int index, StrokeTerms? terms)
     {
         EndSequence();
-        return columns.EndStroke(index, _start);
+        return columns.EndStroke(index, _start, terms);
     }
 
     /// <summary>VE: the machine stops here, and the next sequence starts at whole counts.</summary>

@@ -42,8 +42,9 @@ internal sealed class StrokeGenerator
 
     /// <summary>Appends a pass of the stroke, in counts.</summary>
     /// <param name="lift">Height of the pass above the depth of the stroke, millimetres; 0 for the last pass, and for a machine without a tool axis.</param>
+    /// <param name="terms">How the tool is brought to the work and taken away.</param>
     /// <returns>False when the whole stroke is shorter than a count: nothing is appended.</returns>
-    public bool Generate(ToolpathStroke stroke, double lift)
+    public bool Generate(ToolpathStroke stroke, double lift, StrokeTerms? terms)
     {
         var first = stroke.Moves[0];
         _lift = lift;
@@ -52,7 +53,7 @@ internal sealed class StrokeGenerator
         _corners.Begin();
         _builder.Begin(_reached);
         foreach (var move in stroke.Moves) Move(move);
-        return _builder.Finish(stroke.Index);
+        return _builder.Finish(stroke.Index, terms);
     }
 
     private void Move(in StrokeMove move)

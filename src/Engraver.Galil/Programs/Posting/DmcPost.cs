@@ -36,13 +36,16 @@ public static class DmcPost
         return TooSmall(form, options) is { } refused ? [refused] : ChunkPacker.Findings(program.Strokes, form, options, sourceOf);
     }
 
-    private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options) =>
-        new(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options)) { MaxLines = stroke => 3 + stroke.SegmentCount };
+    private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options)
+    {
+        var ownPlunges = HasOwnPlunges(program);
+        return new PostTemplate(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + stroke.SegmentCount };
+    }
 
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
     {
         var axes = program.Profile.Axes;
-        var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, height => DmcFormat.Text($"oz{height:+0;-0}"));
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, HasOwnPlunges(program), height => DmcFormat.Text($"oz{height:+0;-0}"));
         var spelling = new SequenceSyntax(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
@@ -89,17 +92,18 @@ public static class DmcPost
 
     private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, DmcPostOptions options) => Opening(program, done, DmcFormat.Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
 
-    private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame)
+    private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame, bool ownPlunges)
     {
         var (x, y, z) = frame.Of(stroke.Start);
         var isHeld = program.Profile.Height is not null;
-        var lines = new ProgramLines().Line(DmcFormat.Text($"x={x}"), DmcFormat.Text($"y={y}"), $"JS{Rapid}").Line(isHeld ? [DmcFormat.Text($"z=oz{z:+0;-0}"), "JS" + Down] : ["JS#TOOLON"]);
+        var lines = new ProgramLines().Line(DmcFormat.Text($"x={x}"), DmcFormat.Text($"y={y}"), $"JS{Rapid}")
+            .Line([.. isHeld ? (string[])[DmcFormat.Text($"z=oz{z:+0;-0}"), PlungeAssignment(program.Profile, stroke.Terms, ownPlunges), "JS" + Down] : ["JS#TOOLON"], Wait(stroke.Terms?.PierceSeconds ?? 0.0)]);
         foreach (var sequence in stroke.Sequences)
         {
             foreach (var segment in sequence.Segments) lines.Line(sequence.ChangesHeight ? SlopeCall(segment, sequence) : Call(segment, sequence.Start));
         }
 
-        return lines.Line(isHeld ? "JS" + Up : "JS#TOOLOFF").Lines;
+        return lines.Line(Wait(stroke.Terms?.DwellSeconds ?? 0.0), isHeld ? "JS" + Up : "JS#TOOLOFF").Lines;
     }
 
     /// <summary>A slope has a separate speed; after it f is restored.</summary>
@@ -119,10 +123,10 @@ public static class DmcPost
             .. LinearLines(profile, CountCall),
             .. CircularLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
-            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, DmcFormat.Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
+            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, DmcFormat.Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, HasOwnPlunges(program), string.Empty, CountCall), .. UpLines(profile, CountCall)],
             .. MotorTypeTest.Ends(profile),
             .. CommandErrorEndsTheJob(program, options),
-            .. options.Unattended ? UnattendedProgram.Lines(profile) : [],
+            .. options.Unattended ? UnattendedProgram.Lines(profile, program.LongestWait) : [],
         ];
     }
 
@@ -135,11 +139,11 @@ public static class DmcPost
     private static IReadOnlyList<string> SequencesClosing(MotionProgram program, DmcPostOptions options) =>
     [
         .. End(program, options),
-        .. program.Profile.Height is null ? [] : (IReadOnlyList<string>)[.. DownLines(program.Profile, string.Empty, string.Empty), .. UpLines(program.Profile, string.Empty)],
+        .. program.Profile.Height is null ? [] : (IReadOnlyList<string>)[.. DownLines(program.Profile, HasOwnPlunges(program), string.Empty, string.Empty), .. UpLines(program.Profile, string.Empty)],
         .. SequenceWriter.RoomLines(string.Empty),
         .. MotorTypeTest.Ends(program.Profile),
         .. CommandErrorEndsTheJob(program, options),
-        .. options.Unattended ? UnattendedProgram.Lines(program.Profile) : [],
+        .. options.Unattended ? UnattendedProgram.Lines(program.Profile, program.LongestWait) : [],
     ];
 
     private static IReadOnlyList<string> End(MotionProgram program, DmcPostOptions options) => new ProgramLines().Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;

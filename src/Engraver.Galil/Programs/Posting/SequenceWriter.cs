@@ -23,8 +23,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
         var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
-        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn(frame.Of(stroke.Start)) : []);
-        return lines.Line([.. spelling.ToolOff]).Lines;
+        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn(frame.Of(stroke.Start), stroke.Terms) : []);
+        return lines.Line([Wait(stroke.Terms?.DwellSeconds ?? 0.0), .. spelling.ToolOff]).Lines;
     }
 
     /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, and in a sequence
@@ -88,13 +88,15 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 /// <param name="Open">Statements before VM; may be empty.</param>
 /// <param name="AwaitEnd">The statement that waits for the end of the sequence.</param>
 /// <param name="Rapid">The line that travels to a position in the controller's coordinates, tool off, and waits.</param>
-/// <param name="ToolOn">The statements that bring the tool to a position in the controller's coordinates; empty for a dry run of a switched tool.</param>
+/// <param name="ToolOn">The statements that bring the tool to a position in the controller's coordinates; empty for a dry run of a switched tool.
+/// With its wait before the first move.</param>
 /// <param name="ToolOff">The statements that raise the tool or switch it off.</param>
-internal sealed record SequenceSyntax(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
+internal sealed record SequenceSyntax(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, StrokeTerms?, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
 {
     /// <summary>The statements of the profile's tool drive: the output with its settle time, or the subprograms that move the axis.</summary>
+    /// <param name="ownPlunges">Strokes have plunge feeds of their own.</param>
     /// <param name="height">Formats a height of the controller.</param>
-    public static (Func<CountsPoint, IReadOnlyList<string>> On, IReadOnlyList<string> Off) ToolOf(MachineProfile profile, bool dryRun, Func<int, string> height) => profile.Height is null
-        ? (_ => dryRun ? [] : [Subprograms.ToolOn(profile), Settle(profile)], [Subprograms.ToolOff(profile), Settle(profile, on: false)])
-        : (place => [$"z={height(place.Z)}", "JS" + Down], ["JS" + Up]);
+    public static (Func<CountsPoint, StrokeTerms?, IReadOnlyList<string>> On, IReadOnlyList<string> Off) ToolOf(MachineProfile profile, bool dryRun, bool ownPlunges, Func<int, string> height) => profile.Height is null
+        ? ((_, terms) => dryRun ? [] : [Subprograms.ToolOn(profile), Settle(profile), Wait(terms?.PierceSeconds ?? 0.0)], [Subprograms.ToolOff(profile), Settle(profile, on: false)])
+        : ((place, terms) => [$"z={height(place.Z)}", PlungeAssignment(profile, terms, ownPlunges), "JS" + Down, Wait(terms?.PierceSeconds ?? 0.0)], ["JS" + Up]);
 }

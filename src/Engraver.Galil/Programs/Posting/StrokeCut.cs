@@ -5,8 +5,8 @@ namespace Engraver.Galil.Programs.Posting;
 /// <summary>Divides a stroke in two at a standstill, for a memory that cannot hold the whole stroke.</summary>
 internal static class StrokeCut
 {
-    /// <summary>Nothing changes between two sequences. Inside a sequence the cut is moved back to a VP, after which the machine is on whole counts, so that the
-    /// following arcs start exactly where they were computed.</summary>
+    /// <summary>Nothing changes between two sequences: the tool is taken away and brought back, with its wait before it moves. Inside a sequence the cut is
+    /// moved back to a VP, after which the machine is on whole counts, so that the following arcs start exactly where they were computed.</summary>
     /// <param name="stroke">A stroke of more than one segment.</param>
     /// <param name="segments">Maximum number of segments of the first part, at least 1.</param>
     public static (MotionStroke First, MotionStroke Tail) Before(MotionStroke stroke, int segments)
@@ -21,8 +21,8 @@ internal static class StrokeCut
 
     private static (MotionStroke First, MotionStroke Tail) Between(MotionStroke stroke, IEnumerable<VectorSequence> first, IEnumerable<VectorSequence> rest)
     {
-        var head = stroke with { Sequences = [.. first] };
-        return (head, new MotionStroke(stroke.Index, head.Sequences[^1].End, [.. rest]));
+        var head = stroke with { Sequences = [.. first], Terms = stroke.Terms is { } terms ? terms with { DwellSeconds = 0.0 } : null };
+        return (head, stroke with { Start = head.Sequences[^1].End, Sequences = [.. rest] });
     }
 
     private static (VectorSequence Head, VectorSequence Tail) Inside(VectorSequence sequence, int room)

@@ -32,9 +32,9 @@ internal sealed class SupervisedProgram
     public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
     {
         _profile = program.Profile;
-        var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, height => DmcFormat.Text($"{height}"));
+        var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, HasOwnPlunges(program), height => DmcFormat.Text($"{height}"));
         var spelling = new SequenceSyntax($"CSS;{CountSequence}", "JS#CUT", place => DmcFormat.Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
-        _form = new PostTemplate(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MaxLines = SequenceWriter.MaxLines };
+        _form = new PostTemplate(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile, HasOwnPlunges(program))) { MaxLines = SequenceWriter.MaxLines };
     }
 
     /// <summary>The smallest memory for which the job can be packed, lines.</summary>
@@ -50,9 +50,10 @@ internal sealed class SupervisedProgram
     public static bool IsChunk(string program, MachineProfile profile)
     {
         var lines = program.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
-        var closing = Closing(profile);
-        return lines.Length > closing.Count && lines.Skip(lines.Length - closing.Count).SequenceEqual(closing);
+        return EndsWith(lines, Closing(profile, ownPlunges: false)) || (profile.Height is not null && EndsWith(lines, Closing(profile, ownPlunges: true)));
     }
+
+    private static bool EndsWith(string[] lines, IReadOnlyList<string> closing) => lines.Length > closing.Count && lines.Skip(lines.Length - closing.Count).SequenceEqual(closing);
 
     private static IReadOnlyList<string> Opening(MachineProfile profile, ControllerFrame frame) =>
     [
@@ -71,14 +72,14 @@ internal sealed class SupervisedProgram
     private static IReadOnlyList<string> GateLines { get; } =
         new ProgramLines().Line("#GATE").Line($"{Variables.AtGate}={Variables.Hold}").Line($"JP#GATE,{Variables.AtGate}<>0").Line("EN").Lines;
 
-    private static IReadOnlyList<string> Closing(MachineProfile profile) =>
+    private static IReadOnlyList<string> Closing(MachineProfile profile, bool ownPlunges) =>
     [
         CountSequence,
         "JP#HALT",
         .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{EndedEarlyLabel},_SC{profile.Axes.X.Letter}<>101").Line(CountSequence).Line("EN").Lines,
         .. RapidLines(profile, $"JP{EndedEarlyLabel},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)").SkipLast(1),
         .. GateLines,
-        .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, $"JP{EndedEarlyLabel},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
+        .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, ownPlunges, $"JP{EndedEarlyLabel},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
         .. SequenceWriter.RoomLines($"JP{EndedEarlyLabel},_BGS=0"),
         .. new ProgramLines().Line(EndedEarlyLabel).Line(StopEverything(profile)).Line(DmcFormat.Text($"{Variables.ErrorCode}={EndedEarlyCode}")).Line("ZS").Line("JP#HALT").Lines,
         .. Guards(profile),

@@ -19,14 +19,15 @@ internal static class UnattendedProgram
     public static string End { get; } = DmcFormat.Text($"HX{ResidentProgram.WatchdogThread}");
 
     /// <summary>The watchdog and the handlers other than #CMDERR.</summary>
-    public static IReadOnlyList<string> Lines(MachineProfile profile)
+    /// <param name="wait">The longest wait that an operation states, seconds.</param>
+    public static IReadOnlyList<string> Lines(MachineProfile profile, double wait)
     {
         var stop = StopEverything(profile);
         var spindle = profile.Height is null ? string.Empty : SpindleOff(profile);
         const string Still = ResidentProgram.Variables.StandstillTicks;
         return new ProgramLines()
             .Line("#WDOG").Line("#WLIVE").Line(WatchdogProgram.StorePosition(profile))
-            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.ActivityCondition(profile)}").Line(DmcFormat.Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile)}"))
+            .Line("#WLOOP").Line("WT 50").Line($"{Still}={Still}+1").Line($"JP#WLIVE,{WatchdogProgram.ActivityCondition(profile)}").Line(DmcFormat.Text($"JP#WLOOP,{Still}<{StandstillLimit.ControllerTicks(profile, wait)}"))
             .Line(stop, DmcFormat.Text($"HX{ResidentProgram.MainThread}")).Line(spindle).Line("MG \"STANDSTILL\"").Line("EN")
             .Line("#LIMSWI").Line(stop).Line(spindle).Line("MG \"LIMIT\"").Line("JP#QUIT")
             .Line("#POSERR").Line(stop).Line(spindle).Line("MG \"POSERR\"").Line("JP#QUIT")

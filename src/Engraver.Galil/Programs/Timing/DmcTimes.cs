@@ -32,9 +32,14 @@ public abstract class DmcTimes : CommandTimes
 
     public override double PlungeSpeed(MachineProfile profile) => profile.PlungeSpeed();
 
+    public override double Wait(CountsPoint at, double seconds) => Waited(seconds);
+
+    /// <summary>A wait that the host counts, in whole samples.</summary>
+    private protected static double Waited(double seconds) => Math.Ceiling(seconds * SettleSamplesPerSecond) * SampleSeconds;
+
     /// <summary>Moves of the tool axis in one change: fast and at the plunge feed, or up.</summary>
     private protected static int MovesOfTool(bool on) => on ? 2 : 1;
 
     /// <summary>The settle time of the job, in whole samples.</summary>
-    private protected static double Settle(MotionProgram program, bool on) => Math.Ceiling((on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds) * SettleSamplesPerSecond) * SampleSeconds;
+    private protected static double Settle(MotionProgram program, bool on) => Waited(on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds);
 }

@@ -48,6 +48,8 @@ internal sealed class EthernetTimes : DmcTimes
         ? (ToolCommands * SecondsPerCommand) + Settle(program, on) + NoticeSeconds
         : MovesOfTool(on) * ((HeightCommands * SecondsPerCommand) + NoticeSeconds);
 
+    public override double Wait(CountsPoint at, double seconds) => Waited(seconds) + SecondsPerCommand + NoticeSeconds;
+
     private static int SegmentsBeforeStart(VectorSequence sequence)
     {
         var (sent, counts) = (0, 0.0);
