@@ -1,34 +1,9 @@
 using Avalonia.Controls;
-using Avalonia.Input;
-using Avalonia.Interactivity;
 
 namespace Engraver.App.Properties;
 
-/// <summary>The palette of the selection. A field is accepted with Enter or when it loses the focus, and reverted with Esc.</summary>
+/// <summary>The palette of the selection.</summary>
 public partial class PropertiesView : UserControl
 {
-    public PropertiesView()
-    {
-        InitializeComponent();
-        AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
-        LineList.AddHandler(LostFocusEvent, OnFieldLostFocus, RoutingStrategies.Bubble);
-    }
-
-    /// <summary>Enter and Esc in a field belong to the field, not to the window.</summary>
-    public static bool Handles(object? source, Key key) => key is Key.Enter or Key.Escape && source is TextBox { DataContext: PropertyLine };
-
-    private void OnKey(object? sender, KeyEventArgs e)
-    {
-        if (e.Source is not TextBox { DataContext: PropertyLine line }) return;
-        if (e.Key == Key.Enter) line.Accept();
-        else if (e.Key == Key.Escape) line.Revert();
-        else return;
-        e.Handled = true;
-        TopLevel.GetTopLevel(this)?.FocusManager?.Focus(null);
-    }
-
-    private static void OnFieldLostFocus(object? sender, RoutedEventArgs e)
-    {
-        if (e.Source is TextBox { DataContext: PropertyLine line }) line.Accept();
-    }
+    public PropertiesView() => InitializeComponent();
 }

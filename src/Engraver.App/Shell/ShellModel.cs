@@ -13,6 +13,7 @@ using Engraver.App.Histories;
 using Engraver.App.Jobs;
 using Engraver.App.Layers;
 using Engraver.App.MachineStrip;
+using Engraver.App.Operations;
 using Engraver.App.Options;
 using Engraver.App.Playback;
 using Engraver.App.Plots;
@@ -100,6 +101,7 @@ public sealed class ShellModel : ObservableObject
         new("Layers", () => new LayersView { DataContext = new LayersModel(Desk) }),
         new("Properties", () => new PropertiesView { DataContext = new PropertiesModel(Desk) }),
         new("Contours", () => new ContoursView { DataContext = new ContoursModel(Desk) }),
+        new("Operations", () => new OperationsView { DataContext = new OperationsModel(Desk) }),
         new("Job", () => new JobView { DataContext = new JobModel(Desk) }),
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
         new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),
@@ -123,7 +125,7 @@ public sealed class ShellModel : ObservableObject
     public string HintFor(string? page)
     {
         var derivation = Desk.Session.Derivation;
-        if (page is not ("Contours" or "Job" or "Program" or "Plots" or "Table") || Desk.Session.Document.Current.Drawing is null || derivation.IsCurrent) return "";
+        if (page is not ("Contours" or "Operations" or "Job" or "Program" or "Plots" or "Table") || Desk.Session.Document.Current.Drawing is null || derivation.IsCurrent) return "";
         return derivation.IsCancelled ? Text.Get("Tabs.PlanningCancelled") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
     }
 

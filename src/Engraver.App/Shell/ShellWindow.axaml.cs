@@ -203,7 +203,7 @@ public partial class ShellWindow : Window
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
         CloseTips();
-        if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Handles(e.Source, e.Key) || PropertiesView.Handles(e.Source, e.Key)) return;
+        if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Handles(e.Source, e.Key) || PropertyLinesView.Handles(e.Source, e.Key)) return;
         if (!HasTextFocus(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
         {
             _panels.ShowHistory();

@@ -103,6 +103,9 @@ internal sealed class OperationFields
 
     public string PathOf(string name) => _path.Length == 0 ? name : $"{_path}.{name}";
 
+    internal static IReadOnlyList<string> WordsOf<T>()
+        where T : struct, Enum => [.. Enum.GetValues<T>().Select(WordOf)];
+
     internal static string WordOf<T>(T value)
         where T : struct, Enum => char.ToLowerInvariant(value.ToString()[0]) + value.ToString()[1..];
 

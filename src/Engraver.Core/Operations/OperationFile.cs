@@ -36,6 +36,21 @@ public static class OperationFile
         "leadIn", "leadOut", "start", "tabs", "side", "spacing", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
+    /// <summary>The fields that an operation of a kind may have, in the order in which they are described.</summary>
+    public static IReadOnlyList<string> FieldsOf(OperationKind kind) => [.. s_operationFields.Where(field => s_fieldsOfKinds.All(own => own.Field != field || own.Kinds.Contains(kind)))];
+
+    /// <summary>The values of a field that has a fixed set of them, that of a missing field first; empty for another field.</summary>
+    public static IReadOnlyList<string> ChoicesOf(string field) => field switch
+    {
+        "kind" => OperationFields.WordsOf<OperationKind>(),
+        "direction" => OperationFields.WordsOf<CutDirection>(),
+        "order" => OperationFields.WordsOf<PassOrder>(),
+        "side" => OperationFields.WordsOf<ProfileSide>(),
+        "on" => ["true", "false"],
+        "cross" or "zigzag" => ["false", "true"],
+        _ => [],
+    };
+
     /// <summary>Reads a file. Every error is a diagnostic with its line.</summary>
     /// <param name="library">Reads the tool library that the file names: its text, or why it cannot be read.</param>
     public static OperationReadResult Read(string json, Func<string, (string? Json, string Failure)> library)

@@ -8,13 +8,23 @@ namespace Engraver.Workbench.Documents;
 /// <summary>Edits of a list of operations, as edits of its text: what a file may say can be entered, and is checked as a file is.</summary>
 public static class OperationEdits
 {
-    private static readonly JsonSerializerOptions s_indented = new() { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonSerializerOptions s_plain = new() { Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonSerializerOptions s_indented = new(s_plain) { WriteIndented = true };
 
     /// <summary>The plan as a file for people.</summary>
     public static string ToFile(OperationPlan plan)
     {
         ArgumentNullException.ThrowIfNull(plan);
         return JsonNode.Parse(plan.ToFileText())!.ToJsonString(s_indented) + "\n";
+    }
+
+    /// <summary>The fields that an operation may have, with the values that it states.</summary>
+    public static IReadOnlyList<OperationField> FieldsOf(OperationPlan plan, Operation operation)
+    {
+        ArgumentNullException.ThrowIfNull(plan);
+        ArgumentNullException.ThrowIfNull(operation);
+        var stated = Find(FileOf(plan), operation.Id);
+        return [.. OperationFile.FieldsOf(operation.Kind).Where(field => field != "id").Select(field => (Field: field, Choices: OperationFile.ChoicesOf(field))).Select(one => new OperationField(one.Field, stated[one.Field] is { } value ? TextOf(value) : one.Choices is [var missing, ..] ? missing : "", one.Choices))];
     }
 
     /// <summary>Appends an operation.</summary>
@@ -68,6 +78,9 @@ public static class OperationEdits
         var read = OperationFile.Read(file.ToJsonString(), name => (null, name));
         return read.Plan ?? throw new SettingException(string.Join(' ', read.Diagnostics.Select(finding => finding.Message)));
     }
+
+    /// <summary>The text that <see cref="NodeOf"/> reads as this value.</summary>
+    private static string TextOf(JsonNode value) => value.GetValueKind() == JsonValueKind.String ? value.GetValue<string>() : value.ToJsonString(s_plain);
 
     /// <summary>Numbers, lists and objects as JSON; everything else is a text.</summary>
     private static JsonNode? NodeOf(string value)

@@ -40,5 +40,8 @@ public enum CanvasLayers
     /// <summary>The curves of the trajectories, coloured by their deviation, with points and corners.</summary>
     Trajectories = 2048,
 
-    All = 4095,
+    /// <summary>The path of the operations, each in its own colour.</summary>
+    Operations = 4096,
+
+    All = 8191,
 }

@@ -51,7 +51,7 @@ public sealed record ViewState
     public double SnapSpacing { get; init; } = 10.0;
 
     public CanvasLayers Shown { get; init; } =
-        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.WorkOrigin | CanvasLayers.Engraved | CanvasLayers.Trajectories;
+        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.WorkOrigin | CanvasLayers.Engraved | CanvasLayers.Trajectories | CanvasLayers.Operations;
 
     public DesktopTheme Theme { get; init; }
 

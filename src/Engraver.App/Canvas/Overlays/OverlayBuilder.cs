@@ -1,3 +1,4 @@
+using Engraver.App.Canvas.Colours;
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core;
@@ -5,6 +6,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Canvas.Overlays;
 
@@ -12,22 +14,28 @@ namespace Engraver.App.Canvas.Overlays;
 internal static class OverlayBuilder
 {
     /// <param name="scale">Of the drawing.</param>
-    public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, DrawingScale scale, OverlayInputs inputs) => new()
+    public static OverlayScene Build(PreparedJob job, DrawingScale scale, OverlayInputs inputs)
     {
-        MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
-        Deferred = new DeferredOverlays(
-            new(() => Contours(sequence, scale)),
-            new(() => CutPath(toolpath, scale, inputs.LazyMoveSpeeds?.Invoke() ?? inputs.MoveSpeeds)),
-            new(() => OrderMarks(toolpath, scale))),
-        Rapids = Rapids(toolpath, scale),
-        Recorded = RecordedPath(inputs.Recorded),
-        MachineEnvelope = Envelope(inputs.MachineEnvelope),
-        StartMarks = StartMarks(toolpath, scale),
-        FindingMarks = FindingMarks(sequence.Discontinuities, scale, inputs.Findings),
-        OriginMarks = OriginMark(inputs.WorkOrigin),
-        LastEnd = LastEndOf(toolpath, scale),
-        Finish = FinishLine(LastEndOf(toolpath, scale), inputs.Finish),
-    };
+        var (sequence, toolpath) = (job.Sequence, job.Toolpath);
+        return new()
+        {
+            MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
+            Deferred = new DeferredOverlays(
+                new(() => Contours(sequence, scale)),
+                new(() => Operations(job, scale)),
+                new(() => CutPath(toolpath, scale, inputs.LazyMoveSpeeds?.Invoke() ?? inputs.MoveSpeeds)),
+                new(() => OrderMarks(toolpath, scale))),
+            HasOperations = job.Passes.Count > 0,
+            Rapids = Rapids(toolpath, scale),
+            Recorded = RecordedPath(inputs.Recorded),
+            MachineEnvelope = Envelope(inputs.MachineEnvelope),
+            StartMarks = StartMarks(toolpath, scale),
+            FindingMarks = FindingMarks(sequence.Discontinuities, scale, inputs.Findings),
+            OriginMarks = OriginMark(inputs.WorkOrigin),
+            LastEnd = LastEndOf(toolpath, scale),
+            Finish = FinishLine(LastEndOf(toolpath, scale), inputs.Finish),
+        };
+    }
 
     /// <summary>Marks are created on access: a mark takes three times the memory of its point, and there may be millions.</summary>
     private static ComputedList<SceneMark> StartMarks(Toolpath toolpath, DrawingScale scale)
@@ -74,6 +82,19 @@ internal static class OverlayBuilder
         {
             var kind = !stroke.Closed ? OverlayScene.Open : stroke.Inside >= 0 ? OverlayScene.ClosedInside : OverlayScene.ClosedOutside;
             foreach (var move in stroke.Moves) store.Add(scale.ToDrawing(move.Segment), stroke.Index, kind);
+        }
+
+        return store.Build();
+    }
+
+    private static PrimitiveStore Operations(PreparedJob job, DrawingScale scale)
+    {
+        var store = new PrimitiveStoreBuilder();
+        if (job.Settings.Operations is not { } plan) return store.Build();
+        var places = plan.Operations.Select((operation, place) => (operation.Id, place)).ToDictionary(pair => pair.Id, pair => CanvasTheme.OperationColour(pair.place));
+        foreach (var (stroke, pass) in job.Toolpath.Strokes.Zip(job.Passes))
+        {
+            foreach (var move in stroke.Moves) store.Add(scale.ToDrawing(move.Segment), stroke.Index, places[pass.Operation.Id]);
         }
 
         return store.Build();

@@ -33,6 +33,13 @@ public sealed class OverlayScene
 
     internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
 
+    /// <summary>The moves of the operations; the entity of a primitive is its stroke, the colour the place of the operation in the list. Created when a picture
+    /// first shows them.</summary>
+    internal PrimitiveStore Operations => Deferred.Operations.Value;
+
+    /// <summary>The job has operations.</summary>
+    internal bool HasOperations { get; init; }
+
     /// <summary>The moves in cutting order; the entity of a primitive is the number of the move in the whole job, the colour its speed. Created when a
     /// picture first shows them.</summary>
     internal PrimitiveStore CutPath => Deferred.CutPath.Value;
@@ -69,7 +76,7 @@ public sealed class OverlayScene
     public static OverlayScene From(PreparedJob job, OverlayInputs? inputs = null)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return OverlayBuilder.Build(job.Sequence, job.Toolpath, job.Drawing.Scale, inputs ?? OverlayInputs.None);
+        return OverlayBuilder.Build(job, job.Drawing.Scale, inputs ?? OverlayInputs.None);
     }
 
     /// <summary>The nearest finding within a distance, drawing units; null when there is none.</summary>
@@ -93,7 +100,7 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(inputs);
         return new OverlayScene
         {
-            Deferred = Deferred, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Deferred = Deferred, HasOperations = HasOperations, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
             Trajectories = Trajectories, TrajectoryMarks = TrajectoryMarks,
             MachineEnvelope = OverlayBuilder.Envelope(inputs.MachineEnvelope),
             OriginMarks = OverlayBuilder.OriginMark(inputs.WorkOrigin),
@@ -109,7 +116,7 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(trajectories);
         return new OverlayScene
         {
-            Deferred = Deferred, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Deferred = Deferred, HasOperations = HasOperations, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
             MachineEnvelope = MachineEnvelope, OriginMarks = OriginMarks, Finish = Finish, Recorded = Recorded,
             Trajectories = TrajectoryOverlay.Curves(trajectories, scale),
             TrajectoryMarks = TrajectoryOverlay.Marks(trajectories, scale),
@@ -121,10 +128,10 @@ public sealed class OverlayScene
 }
 
 /// <summary>Overlays that are created when a picture first shows them, on the thread that draws it.</summary>
-internal sealed record DeferredOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
+internal sealed record DeferredOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> Operations, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
 {
-    public static DeferredOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
+    public static DeferredOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
 
     /// <summary>At least one of them has been created.</summary>
-    public bool IsAnyCreated => Contours.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
+    public bool IsAnyCreated => Contours.IsValueCreated || Operations.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
 }

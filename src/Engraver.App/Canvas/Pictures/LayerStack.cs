@@ -35,6 +35,7 @@ internal static class LayerStack
         var line = new LinePen(1.5 * scale);
         Add(CanvasLayers.Machine, () => new PrimitiveLayer(overlay.MachineEnvelope, [theme.Machine], new LinePen(scale, 12.0 * scale, 4.0 * scale)));
         Add(CanvasLayers.Contours, () => new PrimitiveLayer(overlay.Contours, [theme.ClosedContour, theme.InsideContour, theme.OpenContour], line));
+        Add(CanvasLayers.Operations, () => new PrimitiveLayer(overlay.Operations, [.. theme.Operations], line), overlay.HasOperations);
         Add(CanvasLayers.CutPath, () => new PrimitiveLayer(overlay.CutPath, ColourRamp.Between(theme.SlowCut, theme.FastCut, OverlayScene.RampSteps), line));
         Add(CanvasLayers.Engraved, () => new PrimitiveLayer(overlay.CutPath, [theme.Engraved, theme.Remaining], new LinePen(2.0 * scale)) { FirstRemaining = content.EngravedMoves }, content.EngravedMoves > 0);
         Add(CanvasLayers.Recorded, () => new PrimitiveLayer(overlay.Recorded, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line));

@@ -10,7 +10,7 @@ internal sealed class ShowCommand : ICommand
 
     /// <summary>The capital letters are the abbreviations and must be unique.</summary>
     private static readonly IReadOnlyList<Keyword> s_options =
-        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "RECorded", "WorkOrigin", "Trajectories", "All", "None");
+        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "RECorded", "WorkOrigin", "Trajectories", "OPerations", "All", "None");
 
     public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { IsTransparent = true };
 
