@@ -15,6 +15,7 @@ internal sealed record Sample(string FileName, Func<DxfDocument> Draw, bool Bina
         new("clock-dial.dxf", ClockDial.Draw, Binary: true),
         new("label-plate.dxf", LabelPlate.Draw),
         new("operation-plate.dxf", OperationPlate.Draw),
+        new("finished-plate.dxf", FinishedPlate.Draw),
     ];
 
     /// <summary>Writes the file, over an earlier one of the same name.</summary>
