@@ -72,7 +72,7 @@ public sealed class PreviewModel(DesktopModel desk) : ObservableObject
     private async Task<FilePreview> CreateAsync(FileRow file, CancellationToken movedOn)
     {
         var theme = CanvasTheme.Of(desk.Session.View.Current.Theme);
-        var settings = desk.Session.Document.Current.Settings;
+        var settings = desk.Session.Document.Current.SettingsOfNext;
         using var limit = new CancellationTokenSource(Timeout, desk.Time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, movedOn);
         var stop = either.Token;

@@ -19,7 +19,7 @@ public static class MenuLayout
         {
             Submenus = [new("DraftingAids", ["GRID", "SNAP", "ORTHO", "POLAR", "OSNAP", "DYNAMICINPUT", Separator, "OSMODE", "APERTURE", "POLARANG", "POLARTRACK"])],
         },
-        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", "Menu.Text", Separator, "Menu.ObjectProperties", "Menu.Measure", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", "Menu.Reading"])
+        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", "Menu.Text", Separator, "Menu.ObjectProperties", "Menu.Measure", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", "CNCPLACE", "Menu.Reading"])
         {
             Submenus =
             [

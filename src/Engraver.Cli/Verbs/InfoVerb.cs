@@ -30,8 +30,8 @@ internal static class InfoVerb
             IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(JobPreparation.To<LetteredJob>(read, settings))];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
-            // The second reader handles curves only, not the outlines of --cut.
-            var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.From(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
+            // The second reader handles curves only, not the outlines of --cut, and does not place them.
+            var curves = settings is { Cut: CutChoice.None, Placement.IsNone: true } ? summary : DrawingSummary.From(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None, Placement = DrawingPlacement.None }, stop));
             var agrees = !parsed.GetValue(twice) || CrossCheckReport.Write(host.Error, read, curves);
             var code = host.Report(parsed, read.FileName, found);
             return Task.FromResult(agrees ? code : ExitCode.DrawingError);

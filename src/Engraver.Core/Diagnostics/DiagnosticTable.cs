@@ -5,7 +5,7 @@ namespace Engraver.Core.Diagnostics;
 /// <summary>All rules, and the page that documents them, written from the same table that the code uses.</summary>
 public static class DiagnosticTable
 {
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. OffsetRules.All, .. KerfRules.All, .. PocketRules.All, .. LetteringRules.All, .. VerificationRules.All, .. TrajectoryRules.All, .. SidecarRules.All, .. PostRules.All, .. SendingRules.All, .. SerialRules.All, .. OperationRules.All, .. FaultFileRules.All];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. OffsetRules.All, .. KerfRules.All, .. PocketRules.All, .. LetteringRules.All, .. VerificationRules.All, .. TrajectoryRules.All, .. SidecarRules.All, .. PostRules.All, .. SendingRules.All, .. SerialRules.All, .. OperationRules.All, .. PlacementRules.All, .. FaultFileRules.All];
 
     /// <summary>The text of docs/diagnostics.md.</summary>
     /// <param name="fates">How each entity type is read, from DxfReader.TypeFates.</param>

@@ -41,6 +41,12 @@ public sealed record Drawing(
     /// <summary>Construction that was read as curves, at the operator's request.</summary>
     public CutChoice Cut { get; init; }
 
+    /// <summary>Where it is compared with its file. Its coordinates are placed ones.</summary>
+    public DrawingPlacement Placement { get; init; } = DrawingPlacement.None;
+
+    /// <summary>The map by which <see cref="Placement"/> placed it, drawing units.</summary>
+    public Transform2D PlacementMap { get; init; } = Transform2D.Identity;
+
     /// <summary>Created here and not yet in a file: <see cref="FileName"/> is only its name.</summary>
     public bool IsNew { get; init; }
 

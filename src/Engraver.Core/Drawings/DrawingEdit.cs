@@ -32,7 +32,7 @@ public static class DrawingEdit
         var curves = new EditedCurves(drawing);
         var changes = entities.Distinct().SelectMany(index => Parts(drawing, index)).Select(part => (part, curves.Transformed(drawing.Parts[part], map))).ToList();
         edited = drawing;
-        if (!changes.TrueForAll(change => InRange(change.Item2)) || !curves.AreInRange) return false;
+        if (!changes.TrueForAll(change => change.Item2.InRange) || !curves.AreInRange) return false;
         edited = drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn() };
         return true;
     }
@@ -56,7 +56,7 @@ public static class DrawingEdit
         }
 
         edited = drawing;
-        if (!parts.TrueForAll(part => InRange(part)) || !curves.AreInRange) return false;
+        if (!parts.TrueForAll(part => part.InRange) || !curves.AreInRange) return false;
         edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), Curves = curves.ToColumn() };
         return true;
     }
@@ -81,7 +81,4 @@ public static class DrawingEdit
     {
         for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++) parts.Add(drawing.Parts[part] with { Entity = newIndex });
     }
-
-    private static bool InRange(in DrawingPart part) =>
-        part.IsFreeCurve || (Drawing.Holds(part.A) && Drawing.Holds(part.B) && Drawing.Holds(part.C) && Drawing.Holds(part.D) && Drawing.Holds(part.E) && Drawing.Holds(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0));
 }

@@ -64,6 +64,11 @@ public struct DrawingPart
         return Line(Entity, start.X, start.Y, C * map.Scale, end.X, end.Y, F * map.Scale);
     }
 
+    /// <summary>False when a coordinate of a line, arc or circle is above the largest, or its radius is 0. True for an ellipse or spline, whose numbers are
+    /// in their own column.</summary>
+    internal readonly bool InRange =>
+        IsFreeCurve || (Drawing.Holds(A) && Drawing.Holds(B) && Drawing.Holds(C) && Drawing.Holds(D) && Drawing.Holds(E) && Drawing.Holds(F) && (Kind == SegmentKind.Line || D > 0.0));
+
     /// <summary>True when both are equal in every number.</summary>
     public static bool AreSame(in DrawingPart one, in DrawingPart other) =>
         one.Entity == other.Entity && one.Kind == other.Kind && IsSame(one.A, other.A) && IsSame(one.B, other.B) && IsSame(one.C, other.C) && IsSame(one.D, other.D) && IsSame(one.E, other.E) && IsSame(one.F, other.F);

@@ -12,6 +12,9 @@ public readonly record struct PlacedPoint(Vector3D Position, int Layer, DrawingC
     /// <summary>The position in plan.</summary>
     public Point2D Plan => new(Position.X, Position.Y);
 
+    /// <summary>The point under a similarity of the plane; its height is scaled with it.</summary>
+    public PlacedPoint Transformed(Transform2D map) => this with { Position = Position.Transformed(map) };
+
     /// <summary>True when neither its own state nor its layer hides it.</summary>
     public bool IsVisibleIn(Drawing drawing) => !Hidden && drawing.Layers[Layer] is { On: true, Frozen: false };
 }

@@ -71,6 +71,18 @@ public sealed record PlacedText
     /// <summary>Invisible itself, or through its insert.</summary>
     public bool Hidden { get; init; }
 
+    /// <summary>The text under a similarity of the plane; its height above the plane is scaled with it. Mirrored text is mirror-inverted.</summary>
+    public PlacedText Transformed(Transform2D map) => this with
+    {
+        Position = Position.Transformed(map),
+        End = End?.Transformed(map),
+        Height = Height * map.Scale,
+        FrameWidth = FrameWidth * map.Scale,
+        Rotation = (map.Mirrored ? map.Turn - Rotation : map.Turn + Rotation).Positive(),
+        Mirrored = Mirrored ^ map.Mirrored,
+        Inserts = Placement.FromPlane(map).After(Inserts),
+    };
+
     /// <summary>False if it is hidden, or its layer is off or frozen.</summary>
     public bool IsVisibleIn(Drawing drawing)
     {

@@ -28,12 +28,12 @@ public readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector3D
         new(0.0, 0.0, scale.Z),
         default);
 
-    /// <summary>A similarity of the plane; z does not change.</summary>
+    /// <summary>A similarity of the plane; z is scaled with it.</summary>
     public static Placement FromPlane(Transform2D map)
     {
         var (cos, sin) = (map.Scale * map.Turn.Cos(), map.Scale * map.Turn.Sin());
         var across = map.Mirrored ? new Vector3D(sin, -cos, 0.0) : new Vector3D(-sin, cos, 0.0);
-        return new Placement(new(cos, sin, 0.0), across, new(0.0, 0.0, 1.0), new(map.Shift.X, map.Shift.Y, 0.0));
+        return new Placement(new(cos, sin, 0.0), across, new(0.0, 0.0, map.Scale), new(map.Shift.X, map.Shift.Y, 0.0));
     }
 
     public Vector3D Apply(Vector3D point) => ApplyToDirection(point) + Origin;

@@ -28,6 +28,20 @@ public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrore
         (Mirrored ? Turn - arc.Start : Turn + arc.Start).Positive(),
         Mirrored ? -arc.Sweep : arc.Sweep);
 
+    /// <summary>The map that applies <paramref name="inner"/> first, then this.</summary>
+    public Transform2D After(Transform2D inner) => new(
+        Scale * inner.Scale,
+        (Mirrored ? Turn - inner.Turn : Turn + inner.Turn).Positive(),
+        Mirrored ^ inner.Mirrored,
+        Linear(inner.Shift) + Shift);
+
+    /// <summary>The map back.</summary>
+    public Transform2D Inverse()
+    {
+        var back = new Transform2D(1.0 / Scale, Mirrored ? Turn : (-Turn).Positive(), Mirrored, default);
+        return back with { Shift = -back.Linear(Shift) };
+    }
+
     private Vector2D Linear(Vector2D vector)
     {
         var y = Mirrored ? -vector.Y : vector.Y;

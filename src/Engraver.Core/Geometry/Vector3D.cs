@@ -12,6 +12,13 @@ public readonly record struct Vector3D(double X, double Y, double Z)
         return scaled * (1.0 / scaled.Length);
     }
 
+    /// <summary>The point under a similarity of the plane; z is scaled with it.</summary>
+    public Vector3D Transformed(Transform2D map)
+    {
+        var plan = map.Apply(new Point2D(X, Y));
+        return new Vector3D(plan.X, plan.Y, Z * map.Scale);
+    }
+
     public double Dot(Vector3D other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
 
     public Vector3D Cross(Vector3D other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));

@@ -49,6 +49,6 @@ public sealed class CommandCatalog
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(), new CncPlateCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new PlotCompareCommand(), new AlarmsCommand(), new CncTerminalCommand(),
-        .. SettingCommand.All, new KerfCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,
+        .. SettingCommand.All, new KerfCommand(), new CncPlaceCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,
     ]);
 }

@@ -105,6 +105,12 @@ public sealed class DocumentSession
         (_savedEdition, _savedSidecar) = (Current.Edition, Current.Sidecar);
     }
 
+    /// <summary>Marks the placement of the drawing as part of its coordinates, which have been written.</summary>
+    public void MarkPlacementSaved()
+    {
+        lock (_guard) Current = Current.WithPlacementSaved();
+    }
+
     /// <summary>Marks the current drawing and sidecar as saved.</summary>
     /// <param name="path">Path of the drawing, from now on its file unless it is a stream.</param>
     public void MarkSaved(string path)

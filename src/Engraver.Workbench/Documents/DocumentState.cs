@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -16,7 +17,7 @@ public sealed record DocumentState
         init
         {
             if (field is { } before && value is { } after) (Selection, Previous) = (Following(Selection, before, after), Following(Previous, before, after));
-            (field, Edition) = (value, value);
+            (field, Edition, Unplaced) = (value, value, null);
         }
     }
 
@@ -28,10 +29,14 @@ public sealed record DocumentState
     /// <see cref="Drawing"/>.</summary>
     public Drawing? Edition { get; init; }
 
+    /// <summary>The drawing before it was placed; null for one without placement, and after an edit, which is made in placed coordinates. Set after
+    /// <see cref="Drawing"/>.</summary>
+    public Drawing? Unplaced { get; init; }
+
     public DrawingSettings Settings { get; init; } = new();
 
     /// <summary>The settings with which the next drawing is opened: without those that belong to this one.</summary>
-    public DrawingSettings SettingsOfNext => Settings with { Enter = null, Layers = null, SkippedLayers = [], Operations = null, Tool = 0, Cut = CutsTexts ? Settings.Cut & ~CutChoice.Text : Settings.Cut };
+    public DrawingSettings SettingsOfNext => Settings with { Enter = null, Layers = null, SkippedLayers = [], Operations = null, Tool = 0, Placement = DrawingPlacement.None, Cut = CutsTexts ? Settings.Cut & ~CutChoice.Text : Settings.Cut };
 
     /// <summary>Name of the layer on which new objects are drawn (CLAYER). If the drawing has no such layer, layer 0 is used
     /// (<see cref="Documents.CurrentLayer"/>).</summary>
@@ -55,6 +60,23 @@ public sealed record DocumentState
 
     /// <summary>The objects of the last command ("Previous").</summary>
     public IReadOnlyList<int> Previous { get; init; } = [];
+
+    /// <summary>The document with its drawing placed, which is not an edit: the file does not change.</summary>
+    /// <returns>Null if a coordinate would leave the range of a drawing.</returns>
+    /// <exception cref="InvalidOperationException">No drawing is open.</exception>
+    public DocumentState? PlacedBy(DrawingPlacement placement)
+    {
+        var drawing = Drawing ?? throw new InvalidOperationException();
+        var settings = Settings with { Placement = placement };
+        var source = drawing.Placement.IsNone ? drawing : Unplaced;
+        var placed = source is not null && placement.IsNone ? source : PlacedDrawing.Try(source ?? drawing, settings, source is null ? drawing.PlacementMap.Inverse() : Transform2D.Identity);
+        return placed is null ? null : this with { Drawing = placed, Unplaced = placement.IsNone ? null : source, Edition = Edition, Settings = settings };
+    }
+
+    /// <summary>The document whose placement is in the coordinates of its file, because they were saved.</summary>
+    public DocumentState WithPlacementSaved() => Drawing is not { Placement.IsNone: false } drawing
+        ? this
+        : this with { Drawing = drawing with { Placement = DrawingPlacement.None, PlacementMap = Transform2D.Identity }, Settings = Settings with { Placement = DrawingPlacement.None } };
 
     /// <summary>The same objects after an edit: the indices of texts follow those of the curves.</summary>
     internal static IReadOnlyList<int> Following(IReadOnlyList<int> objects, Drawing before, Drawing after)

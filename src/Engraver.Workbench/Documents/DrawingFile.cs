@@ -10,10 +10,11 @@ namespace Engraver.Workbench.Documents;
 /// <summary>Reads a drawing from a file. Always returns a drawing; errors in the file are diagnostics.</summary>
 public static class DrawingFile
 {
-    /// <param name="settings">Only the unit and the cut choice are used.</param>
+    /// <param name="settings">Only the unit, the cut choice and the placement are used.</param>
     /// <param name="progress">Receives the fraction read, 0 to 1; null for none.</param>
+    /// <returns>Placed; its findings name places in the coordinates of the file.</returns>
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
-        Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation);
+        PlacedDrawing.Of(Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation), settings);
 
     /// <summary>True if no part of the file could be read. Results of an earlier drawing must then not be overwritten with empty ones.</summary>
     public static bool IsUnreadable(Drawing drawing)

@@ -54,14 +54,14 @@ internal sealed class EditedAnnotations
     public Drawing Moved(Drawing edited, Transform2D map) => edited with
     {
         Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts.Select((text, index) => _texts.Contains(text) ? Placed(index, map) : text)],
-        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Select(point => _takes(point) ? Placed(point, map) : point)],
+        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Select(point => _takes(point) ? point.Transformed(map) : point)],
     };
 
     /// <summary>The edited drawing with a copy of the selected texts and points for each map; copies of texts have new handles.</summary>
     public Drawing Copied(Drawing edited, IReadOnlyList<Transform2D> maps) => edited with
     {
         Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts, .. WithHandles(maps.SelectMany(map => Enumerable.Range(0, _drawing.Texts.Count).Where(index => _texts.Contains(_drawing.Texts[index])).Select(index => Placed(index, map))), edited.HighestHandle())],
-        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points, .. maps.SelectMany(map => _drawing.Points.Where(_takes).Select(point => Placed(point, map)))],
+        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points, .. maps.SelectMany(map => _drawing.Points.Where(_takes).Select(point => point.Transformed(map)))],
     };
 
     /// <summary>The edited drawing without the selected texts and points.</summary>
@@ -76,7 +76,7 @@ internal sealed class EditedAnnotations
         foreach (var text in texts) yield return text with { Handle = ++handle };
     }
 
-    private PlacedText Placed(int text, Transform2D map) => Placed(_drawing.Texts[text], KeepsTextDirection ? Readable(_drawing, text, map) : map);
+    private PlacedText Placed(int text, Transform2D map) => _drawing.Texts[text].Transformed(KeepsTextDirection ? Readable(_drawing, text, map) : map);
 
     /// <summary>A mirrored text stays readable: its letters are moved into the mirrored box. Other maps are unchanged.</summary>
     public static Transform2D Readable(Drawing drawing, int text, Transform2D map)
@@ -88,25 +88,5 @@ internal sealed class EditedAnnotations
         if (turn.Cos() < 0.0) turn += Angle.FromDegrees(180.0);
         var turned = Transform2D.Rotate(centre, turn.Positive());
         return turned with { Shift = turned.Shift + (map.Apply(centre) - centre) };
-    }
-
-    /// <summary>Mirrored text is mirror-inverted, like the rest of a mirrored drawing.</summary>
-    private static PlacedText Placed(PlacedText text, Transform2D map) => text with
-    {
-        Position = At(text.Position, map),
-        End = text.End is { } end ? At(end, map) : null,
-        Height = text.Height * map.Scale,
-        FrameWidth = text.FrameWidth * map.Scale,
-        Rotation = (map.Mirrored ? map.Turn - text.Rotation : map.Turn + text.Rotation).Positive(),
-        Mirrored = text.Mirrored ^ map.Mirrored,
-        Inserts = Placement.FromPlane(map).After(text.Inserts),
-    };
-
-    private static PlacedPoint Placed(PlacedPoint point, Transform2D map) => point with { Position = At(point.Position, map) };
-
-    private static Vector3D At(Vector3D place, Transform2D map)
-    {
-        var moved = map.Apply(new Point2D(place.X, place.Y));
-        return new Vector3D(moved.X, moved.Y, place.Z);
     }
 }

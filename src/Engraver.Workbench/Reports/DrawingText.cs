@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Reports;
 
@@ -21,6 +22,7 @@ public static class DrawingText
         output.WriteLine(Wording.Get("DrawingText.Balance", CountText.Format(balance.Read, "Entity"), balance.Cut, balance.Construction, balance.Refused.Count, balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})"));
         if (summary.Leaf.Count > 0) output.WriteLine(Wording.Get("DrawingText.Curves", Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value)), summary.Length.Total, drawing.Unit.Name));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
+        if (!drawing.Placement.IsNone) output.WriteLine(Wording.Get("DrawingText.Placed", PlacementText.Of(drawing.Placement)));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
             var switches = List(layer.On ? "" : Wording.Get("DrawingText.Off"), layer.Frozen ? Wording.Get("DrawingText.Frozen") : "", layer.Plot ? "" : Wording.Get("DrawingText.NotPlotted"));

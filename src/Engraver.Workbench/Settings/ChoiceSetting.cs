@@ -28,7 +28,7 @@ public class ChoiceSetting<T>(string key, Func<DrawingSettings, T> get, Func<Dra
     /// <summary>A value as the command offers it: the capitals are the short form.</summary>
     protected virtual string InputName(string name) => name;
 
-    protected override string WordOf(T value) => Lower(value);
+    protected override string? WordOf(T value) => Lower(value);
 
     protected override T ParseWord(string word) => Enum.TryParse<T>(word, ignoreCase: true, out var choice) && Enum.IsDefined(choice) ? choice : throw new FormatException(word);
 

@@ -18,6 +18,9 @@ public sealed record DrawingSettings
     /// keeps its <see cref="Drawing.Scale"/>.</summary>
     public LengthUnit? Unit { get; init; }
 
+    /// <summary>Where the drawing is cut. In the desktop the open drawing is always placed so (<see cref="Drawing.Placement"/>).</summary>
+    public DrawingPlacement Placement { get; init; } = DrawingPlacement.None;
+
     /// <summary>Construction of the next drawing that is opened which is cut all the same: hatch boundaries, multilines, leaders, helices, the edges of
     /// solids. The drawing that is open keeps its <see cref="Drawing.Cut"/>.</summary>
     public CutChoice Cut { get; init; }
@@ -68,11 +71,11 @@ public sealed record DrawingSettings
     /// <summary>The machine as the job uses it: operations replace its cutting depth, the depth of a pass and the plunge feed.</summary>
     public MachineProfile CuttingMachine => Operations?.Applied(Machine, Tool) ?? Machine;
 
-    /// <summary>The settings for records of a drawing: with the unit and the construction that were chosen when it was opened, so that they
+    /// <summary>The settings for records of a drawing: with the unit, the placement and the construction that were chosen when it was opened, so that they
     /// open it again with the same scale and the same curves. Texts are not read differently: whether they are cut is a setting of the job.</summary>
     public DrawingSettings AsOpened(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null, Cut = (drawing.Cut & ~CutChoice.Text) | (Cut & CutChoice.Text) };
+        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null, Placement = drawing.Placement, Cut = (drawing.Cut & ~CutChoice.Text) | (Cut & CutChoice.Text) };
     }
 }

@@ -7,11 +7,27 @@ namespace Engraver.Workbench.Settings;
 /// those of <see cref="DrawingSettings"/>.</summary>
 public static class SettingTable
 {
+    private const string PlacementCommand = "CNCPLACE";
+
     public static NamesSetting Layers { get; } = new("layers", s => s.Layers, (s, v) => s with { Layers = v }) { Command = "LAYER", HasOwnCommand = true };
 
     public static NamesSetting SkippedLayers { get; } = new("skip-layers", s => s.SkippedLayers, (s, v) => s with { SkippedLayers = v ?? [] }) { Command = "LAYER", HasOwnCommand = true };
 
     public static UnitSetting Units { get; } = new("units", s => s.Unit, (s, v) => s with { Unit = v }) { Command = "CNCUNITS", Page = SettingPage.Drawing };
+
+    public static ScaleSetting Scale { get; } = new("scale", s => s.Placement.Scale, (s, v) => s with { Placement = s.Placement with { Scale = v } })
+    {
+        Argument = "F", Min = 1e-6, Max = 1e6, Command = PlacementCommand, HasOwnCommand = true,
+    };
+
+    public static MirrorSetting Mirror { get; } = new("mirror", s => s.Placement.Mirror, (s, v) => s with { Placement = s.Placement with { Mirror = v } }) { Command = PlacementCommand, HasOwnCommand = true };
+
+    public static RotationSetting Rotate { get; } = new("rotate", s => s.Placement.Rotation, (s, v) => s with { Placement = s.Placement with { Rotation = v } })
+    {
+        Unit = "deg", Argument = "DEG", Min = -3600.0, Max = 3600.0, Command = PlacementCommand, HasOwnCommand = true,
+    };
+
+    public static MoveSetting Move { get; } = new("move", s => s.Placement.Move, (s, v) => s with { Placement = s.Placement with { Move = v } }) { Unit = "mm", Command = PlacementCommand, HasOwnCommand = true };
 
     public static CutSetting Cut { get; } = new("cut", s => s.Cut, (s, v) => s with { Cut = v }) { Command = "CNCCUT", Page = SettingPage.Drawing };
 
@@ -71,7 +87,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<Setting> All { get; } =
-        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Move, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The setting of a key; null when there is none.</summary>
     public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);

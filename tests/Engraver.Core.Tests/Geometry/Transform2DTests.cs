@@ -24,6 +24,13 @@ public class Transform2DTests
     });
 
     [Property]
+    public Property Maps_are_joined_and_inverted() => Prop.ForAll(Any, Any, (inner, outer) =>
+    {
+        var place = new Point2D(3.0, -7.0);
+        return outer.After(inner).Apply(place).IsNear(outer.Apply(inner.Apply(place)), 1e-8) && inner.Inverse().Apply(inner.Apply(place)).IsNear(place, 1e-8);
+    });
+
+    [Property]
     public Property Lengths_and_directions_go_with_the_map() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
     {
         var (before, after) = (Segment.FromArc(arc), Segment.FromArc(map.Apply(arc)));

@@ -1,5 +1,6 @@
 using System.Reflection;
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
@@ -14,6 +15,7 @@ public class SettingValuesTests
     private static readonly DrawingSettings s_other = new()
     {
         Unit = LengthUnits.FromInsUnits(1)! with { Source = "option" },
+        Placement = new DrawingPlacement { Scale = 1.0 / 3.0, Mirror = MirrorAxis.Y, Rotation = Angle.FromDegrees(-0.1), Move = new Vector2D(1e-7, -0.3) },
         Cut = CutChoice.Hatch | CutChoice.Helix,
         Layers = ["A,B", "\"Ä\n"],
         SkippedLayers = ["0", ""],
@@ -64,6 +66,10 @@ public class SettingValuesTests
     [InlineData("start", "1,2,3")]
     [InlineData("order", "7")]
     [InlineData("layers", "A")]
+    [InlineData("scale", "0")]
+    [InlineData("mirror", "z")]
+    [InlineData("rotate", "left")]
+    [InlineData("move", "1")]
     public void A_word_that_is_no_value_is_refused(string key, string word) =>
         Assert.Throws<FormatException>(() => SettingValues.Read(new Dictionary<string, string> { [key] = word }, MachineProfile.Default));
 }

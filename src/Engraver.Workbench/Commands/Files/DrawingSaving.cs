@@ -30,6 +30,9 @@ internal static class DrawingSaving
         OutputFile.Write(path, output => DxfWriter.Write(sheet, output));
         context.Document.MarkHandles(path, EditedDrawing.HandlesIn(sheet, drawing));
         context.WriteMessage(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
+        if (drawing.Placement.IsNone) return;
+        context.Document.MarkPlacementSaved();
+        context.WriteMessage(Wording.Get("DrawingSaving.PlacementSaved"));
     }
 
     /// <summary>Writes the sidecar of a drawing file. An existing sidecar that this session neither read nor wrote is renamed.</summary>

@@ -1,0 +1,10 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>The findings of placing a drawing.</summary>
+public static class PlacementRules
+{
+    public static readonly DiagnosticRule OutOfRange = new("PLC0001", Severity.Error);
+
+    /// <summary>Every rule, for the documentation and its test.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [OutOfRange];
+}

@@ -1,0 +1,77 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>CNCPLACE shows the open drawing as it is placed, without editing it.</summary>
+public class CncPlaceCommandTests
+{
+    [Fact]
+    public async Task The_placements_are_applied_in_their_order_and_undone()
+    {
+        await using var talk = await OpenAsync();
+        var drawn = talk.State.Drawing!;
+        await talk.TypeAsync("CNCPLACE", "MO", "10,5", "CNCPLACE", "R", "90", "CNCPLACE", "M", "Y", "CNCPLACE", "S", "2");
+
+        var placed = DrawingFile.Open(drawn.FileName, talk.State.Settings, CancellationToken.None);
+        Assert.Equal(new DrawingPlacement { Scale = 2.0, Mirror = MirrorAxis.Y, Rotation = Angle.FromDegrees(90.0), Move = new Vector2D(10.0, 5.0) }, talk.State.Settings.Placement);
+        Assert.True(talk.State.Drawing!.Parts.HasRowsOf(placed.Parts, DrawingPart.AreSame));
+        Assert.False(talk.Session.Document.IsEdited);
+        Assert.Contains("Placement: scaled by 2, mirrored about the Y axis, rotated by 90 degrees, moved by 10,5 mm.", talk.Said, StringComparison.Ordinal);
+
+        await talk.TypeAsync("U", "U", "U", "U");
+        Assert.Same(drawn, talk.State.Drawing);
+        await talk.TypeAsync("CNCPLACE", "S", "3", "CNCPLACE", "N");
+        Assert.Same(drawn, talk.State.Drawing);
+        Assert.Equal(DrawingSettings.Default.Placement, talk.State.Settings.Placement);
+    }
+
+    [Fact]
+    public async Task An_edit_is_made_in_placed_coordinates_and_stays_when_the_placement_ends()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "S", "2", "CNCPLACE", "R", "90", "CNCPLACE", "MO", "10,0", "LINE", "10,0", "10,40", "");
+        Assert.True(talk.Session.Document.IsDrawingEdited);
+        await talk.TypeAsync("CNCPLACE", "N");
+
+        var line = talk.State.Drawing!.Parts[talk.State.Drawing.Parts.Count - 1];
+        Assert.Equal((0.0, 0.0, 20.0, 0.0), (Math.Round(line.A, 9), Math.Round(line.B, 9), Math.Round(line.D, 9), Math.Round(line.E, 9)));
+        Assert.True(talk.Session.Document.IsDrawingEdited);
+    }
+
+    [Fact]
+    public async Task A_saved_drawing_has_the_placed_coordinates_and_no_placement()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "MO", "100,200", "SAVEAS", talk.PathOf("saved.dxf"));
+        var saved = DrawingFile.Open(talk.PathOf("saved.dxf"), talk.State.Settings, CancellationToken.None);
+
+        Assert.True(talk.State.Settings.Placement.IsNone && talk.State.Drawing!.Placement.IsNone);
+        Assert.False(talk.Session.Document.IsEdited);
+        Assert.Equal(talk.State.Drawing.Parts[0].A, saved.Parts[0].A);
+        Assert.Contains("The file has the placed coordinates.", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("U");
+        Assert.True(talk.Session.Document.IsDrawingEdited);
+    }
+
+    [Fact]
+    public async Task The_placement_ends_with_the_drawing_and_is_not_set_without_one()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "MO", "1", "CNCPLACE", "S", "3", "OPEN", CommandTestSession.Sample("gasket.dxf"));
+
+        Assert.True(talk.State.Settings.Placement.IsNone && talk.State.Drawing!.Placement.IsNone);
+        await using var empty = new CommandTestSession();
+        await empty.TypeAsync("CNCPLACE");
+        Assert.Contains("No drawing is open", empty.Said, StringComparison.Ordinal);
+    }
+
+    private static async Task<CommandTestSession> OpenAsync()
+    {
+        var talk = new CommandTestSession();
+        await talk.TypeAsync("OPEN", CommandTestSession.Sample("operation-plate.dxf"));
+        return talk;
+    }
+}
