@@ -32,6 +32,21 @@ internal sealed record PlanJson(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<OperationJson>? Operations { get; init; }
 
+    /// <summary>The sections between which the tool is changed; not written for a job of one tool.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<PlanSectionJson>? Sections { get; init; }
+
+    /// <param name="Number">From 1.</param>
+    /// <param name="Tool">Number of the tool.</param>
+    /// <param name="Operations">Ids.</param>
+    /// <param name="Seconds">Without the change of the tool; null when the machine cannot cut the drawing.</param>
+    internal sealed record PlanSectionJson(int Number, int Tool, IReadOnlyList<string> Operations, int Strokes, double? Seconds)
+    {
+        /// <summary>The name of the tool and its number.</summary>
+        [JsonIgnore]
+        public string Title { get; init; } = "";
+    }
+
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
 
     /// <param name="Distance">From the drawn line to the area that the tool reaches, mm.</param>

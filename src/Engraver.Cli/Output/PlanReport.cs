@@ -12,24 +12,34 @@ internal static class PlanReport
     /// <param name="program">The job's program with feeds limited to the link; null when this machine can cut nothing.</param>
     /// <param name="times">Times of the program over the link.</param>
     /// <param name="rates">Null: no cost is computed.</param>
-    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates)
+    /// <param name="timesOf">Times of a part of the program over the link.</param>
+    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates, Func<MotionProgram, MotionTimes> timesOf)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
         PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? job.Shapes.SelectMany(shape => shape.Uncut)).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job) };
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job), Sections = SectionsOf(job, program, timesOf) };
         var peaks = MotionPeaks.From(program);
         var cost = JobSheet.Of(job, times, rates).Cost;
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job) };
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job), Sections = SectionsOf(job, program, timesOf) };
     }
 
     public static void Text(TextWriter output, PlanJson plan)
     {
         output.WriteLine(Wording.Get("PlanReport.Lengths", plan.CutLength, plan.Travel));
         foreach (var one in plan.Operations ?? []) output.WriteLine(Wording.Get("PlanReport.Operation", one.Name.Length > 0 ? one.Name : one.Id, one.Kind, one.Tool, one.Curves, one.Strokes, one.Length, one.Feed));
+        foreach (var one in plan.Sections ?? []) output.WriteLine(Wording.Get("PlanReport.Section", one.Number, one.Title, string.Join(", ", one.Operations), one.Strokes, one.Seconds ?? 0.0));
         if (plan.Seconds is not { } seconds) return;
         output.WriteLine(Wording.Get("PlanReport.Times", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
         output.WriteLine(Wording.Get("PlanReport.Peaks", plan.PeakSpeed, plan.PeakAxisAcceleration));
         if (plan is { Cost: { } cost, CostParts: { } parts }) output.WriteLine(Wording.Get("PlanReport.Cost", cost, parts.Time, parts.Length, parts.Starts));
+    }
+
+    /// <summary>Null for a job of one tool.</summary>
+    private static IReadOnlyList<PlanJson.PlanSectionJson>? SectionsOf(PreparedJob job, MotionProgram? program, Func<MotionProgram, MotionTimes> timesOf)
+    {
+        if (job.Sections is not { Count: > 1 } tools) return null;
+        var parts = program is null ? [] : JobSection.Of(job, program);
+        return [.. tools.Select((tool, index) => new PlanJson.PlanSectionJson(index + 1, tool.Tool.Number, [.. tool.Operations.Select(operation => operation.Id)], tool.Strokes, program is null ? null : timesOf(parts[index].Of(program)).Total) { Title = tool.Tool.Title })];
     }
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

@@ -78,6 +78,10 @@ internal sealed record RunJson
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<OperationJson>? Operations { get; init; }
 
+    /// <summary>The sections of this run, between which the tool was changed; not written for a job of one tool.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<SectionJson>? Sections { get; init; }
+
     /// <summary>Where a resumed run continued.</summary>
     /// <param name="Segments">Completed segments of the whole program.</param>
     /// <param name="Along">Millimetres of the next segment that were already cut.</param>

@@ -39,6 +39,7 @@ internal static class RunReport
         Tolerance = report.ToleranceMm,
         Fonts = job.Fonts,
         Operations = OperationJson.Of(job),
+        Sections = SectionJson.Of(report),
     };
 
     /// <summary>A run that did not reach the machine: nothing was sent.</summary>

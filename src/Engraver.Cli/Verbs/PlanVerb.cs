@@ -71,9 +71,9 @@ internal static class PlanVerb
 
     private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)
     {
-        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), null, []);
+        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null, _ => default), null, []);
         var fit = JobPlan.FitToLink(program, address, strategy, job.Drawing);
         var times = JobPlan.PlannedTimes(fit.Program, address, strategy);
-        return (PlanReport.Json(job, fit.Program, times, rates), times, fit.Diagnostics);
+        return (PlanReport.Json(job, fit.Program, times, rates, part => JobPlan.PlannedTimes(part, address, strategy)), times, fit.Diagnostics);
     }
 }

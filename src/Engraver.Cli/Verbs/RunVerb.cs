@@ -32,6 +32,10 @@ internal sealed class RunVerb
 
     private const string Name = "run";
 
+    /// <summary>Values of --tool-change.</summary>
+    private const string Ask = "ask";
+    private const string Stop = "stop";
+
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Run.Connect"));
@@ -43,6 +47,8 @@ internal sealed class RunVerb
     private readonly SeriesOptions _series = new();
     private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.Trace") };
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.AcceptErrors") };
+
+    private readonly Option<string?> _toolChange = new("--tool-change") { HelpName = "ask|stop", Description = Wording.Get("Run.ToolChange") };
 
     private readonly Option<string?> _resume = new("--resume") { HelpName = "JOURNAL", Description = Wording.Get("Run.Resume") };
     private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
@@ -64,6 +70,9 @@ internal sealed class RunVerb
     /// <summary>Findings of the drawing are the same on every plate.</summary>
     private readonly HashSet<(SourceRef Source, string Message)> _reported = [];
 
+    /// <summary>The last run ended for a change of the tool.</summary>
+    private bool _isAtToolChange;
+
     /// <summary>The trajectories to run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
 
@@ -72,9 +81,10 @@ internal sealed class RunVerb
     public static Command Build(VerbHost host)
     {
         var verb = new RunVerb(host);
+        verb._toolChange.AcceptOnlyFromAmong(Ask, Stop);
         var command = new MachineCommand(Name, Wording.Get("Run.Summary"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory, verb._toolChange]) command.Options.Add(option);
         verb._placement.AddTo(command);
         verb._series.AddTo(command);
         command.SetAction(verb.RunAsync);
@@ -152,7 +162,7 @@ internal sealed class RunVerb
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
                 await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
-                if (machine == ExitCode.Done) continue;
+                if (machine == ExitCode.Done && !_isAtToolChange) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
                 return machine;
             }
@@ -231,12 +241,10 @@ internal sealed class RunVerb
 
     private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, ExecutionStrategy strategy, PlateTurn? turn, CancellationToken stop)
     {
-        var control = new JobControl();
         ArmingChecklist? checks = null;
         var certificate = CertificateStatus.OfRun(job, fit.Program);
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, strategy)
         {
-            Control = control,
             Resume = turn is not { IsResumed: false } && parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.RequestsWorkOrigin(parsed) } : null,
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
@@ -255,9 +263,23 @@ internal sealed class RunVerb
         };
         if (turn is not null) options = options with { Starting = token => turn.StartAsync(job.Drawing.FileName, options.JournalPath, token) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
+        _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
+        var report = await SectionedRun.RunAsync(
+            options,
+            job.Settings.Machine.Scale,
+            section => RunSectionAsync(job, fit, section with { Control = new JobControl() }, quiet, () => checks, stop),
+            (ended, refused) => AskForToolAsync(parsed, job, ended, refused, stop)).ConfigureAwait(false);
+        _isAtToolChange = report.Result.Outcome == JobOutcome.ToolChange;
+        _startedJournal = report.Result.FrameOrigin is null ? null : report.Journal;
+        if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
+        return Finish(parsed, job, report, report.Journal ?? options.JournalPath, checks);
+    }
+
+    /// <summary>Runs a job of one tool, or the strokes up to the next change of the tool, and adds the run to the history.</summary>
+    private async Task<MachineRunReport> RunSectionAsync(PreparedJob job, LinkFeedFit fit, MachineRunOptions options, bool quiet, Func<ArmingChecklist?> checks, CancellationToken stop)
+    {
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
-        _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         var begun = TimeProvider.System.GetUtcNow();
         using var open = _host.BeginRun(HistoryEntry.OfStarted(job, options, begun, simulated: false));
         MachineRunReport report;
@@ -265,7 +287,7 @@ internal sealed class RunVerb
         {
             var lines = new LineQueue(_host.Error.WriteLine);
             await using var written = lines.ConfigureAwait(false);
-            report = await ProgressBar.OfRunAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, WithKeys(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
+            report = await ProgressBar.OfRunAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, WithKeys(options.Control!, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
         catch (ControllerException lost) // The link could not be established.
         {
@@ -273,10 +295,30 @@ internal sealed class RunVerb
             throw;
         }
 
-        _startedJournal = report.Result.FrameOrigin is null ? null : options.JournalPath;
-        if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
-        open.End(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
-        return Finish(parsed, job, report, options.JournalPath, checks);
+        open.End(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks()));
+        return report;
+    }
+
+    /// <summary>Waits until the operator has changed the tool and set the height of the work, if the run asks for it.</summary>
+    /// <param name="refused">Why the next section could not be started; null before the first attempt.</param>
+    /// <returns>False: the run ends here, and is resumed later.</returns>
+    /// <exception cref="OperationCanceledException">The operator stopped.</exception>
+    private async Task<bool> AskForToolAsync(ParseResult parsed, PreparedJob job, MachineRunReport ended, MachineRunReport? refused, CancellationToken stop)
+    {
+        if ((parsed.GetValue(_toolChange) ?? (_host.Interactive && !parsed.GetValue(_json) ? Ask : Stop)) == Stop) return false;
+        if ((refused?.ResumeRefusal ?? refused?.Placement?.Refusal) is { } why) _host.Report(parsed, job.Drawing.FileName, [why]);
+        else if (refused is not null) await _host.Error.WriteLineAsync($"engraver: {refused.Result.Message}").ConfigureAwait(false);
+        await _host.Error.WriteLineAsync(ToolChangeText("Run.ChangeTool", "Run.ChangeToolFlat", job, ended)).ConfigureAwait(false);
+        return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
+    }
+
+    /// <summary>What the operator does at a change of the tool.</summary>
+    /// <param name="tall">Text for a machine with a Z axis.</param>
+    /// <param name="flat">Text for one without.</param>
+    private static string ToolChangeText(string tall, string flat, PreparedJob job, MachineRunReport ended)
+    {
+        var section = ended.Section!;
+        return Wording.Get(job.Settings.Machine.Axes.Z is null ? flat : tall, section.Number, section.Count, section.Next(job).Tool.Title, ended.Journal ?? "");
     }
 
     private static double ParseLeadIn(ArgumentResult result)
@@ -312,7 +354,8 @@ internal sealed class RunVerb
         if (report.StartRefusal is { } unstarted) _host.Report(parsed, job.Drawing.FileName, [unstarted]);
         if (report.StartRefusal is not null) return ExitCode.Usage;
         if (!parsed.GetValue(_json)) _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
-        if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Message}");
+        if (report is { Result.Outcome: JobOutcome.ToolChange }) _host.Error.WriteLine(ToolChangeText("Run.Continue", "Run.ContinueFlat", job, report));
+        else if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Message}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.TraceIncomplete", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(report.Result.Outcome);

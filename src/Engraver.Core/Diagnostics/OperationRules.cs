@@ -50,10 +50,12 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NotFilled = new("OPR0024", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule ToolNotChanged = new("OPR0030", Severity.Warning, "journal", "tool");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
-        SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled,
+        SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged,
     ];
 }

@@ -51,7 +51,7 @@ public sealed class EntityTable
     }
 
     /// <summary>A new table of some of the rows, in the order given.</summary>
-    internal EntityTable Picking(ReadOnlySpan<int> rows)
+    public EntityTable Picking(ReadOnlySpan<int> rows)
     {
         var picked = new EntityTable();
         foreach (var row in rows) picked.Append(_slots.Copy(row), _entities[row], CurveOf(row));

@@ -4,6 +4,9 @@ public enum JobOutcome
 {
     Complete,
 
+    /// <summary>The strokes of one tool are complete, and the rest needs another one; the machine is at rest.</summary>
+    ToolChange,
+
     /// <summary>Stopped by the operator; the machine is at rest.</summary>
     Stopped,
 

@@ -41,6 +41,9 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
         return null;
     }
 
+    /// <summary>The strokes that end within a number of segments.</summary>
+    public MotionProgram Until(int segments) => this with { Strokes = [.. Strokes.TakeWhile(stroke => (segments -= stroke.SegmentCount) >= 0)] };
+
     /// <summary>VS of the segment that follows the given number of executed segments, counts/s; 0 after the last.</summary>
     public int SpeedAfter(int executed)
     {

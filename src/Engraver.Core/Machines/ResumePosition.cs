@@ -14,6 +14,9 @@ public sealed record ResumePosition(JobPosition Place, double Doubt, CountsPoint
     /// elsewhere.</summary>
     public int? HeightOfCut { get; init; }
 
+    /// <summary>The job ended for a change of the tool, which has another length.</summary>
+    public bool IsToolChange { get; init; }
+
     /// <summary>As in <see cref="JobOptions.Settings"/>; null where no journal states them.</summary>
     public IReadOnlyDictionary<string, string>? Settings { get; init; }
 

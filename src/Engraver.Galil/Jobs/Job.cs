@@ -18,6 +18,9 @@ internal sealed class Job
     private static readonly int[] s_ownThreads = [ResidentProgram.MainThread, ResidentProgram.WatchdogThread];
 
     private readonly MotionProgram _whole;
+
+    /// <summary>The whole program up to the change of the tool, if there is one.</summary>
+    private readonly MotionProgram _wanted;
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
     private readonly JobLog _log;
@@ -41,8 +44,9 @@ internal sealed class Job
     public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, StopOrder stop, HandOperation? hand = null)
     {
         (_whole, _session, _options, _stop, _isHandMove) = (program, session, options, stop, hand is not null);
+        _wanted = options.Until is { } end ? program.Until(end) : program;
         _heightOfCut = HasIdleHeight ? options.HeightOfCut : null;
-        var rest = options.From == default ? RemainingProgram.Whole(program) : RestFrom(options.From, options.LeadIn);
+        var rest = options.From == default ? RemainingProgram.Whole(_wanted) : RestFrom(options.From, options.LeadIn);
         _program = rest.Program;
         _ledger = new JobLedger(program, rest, options.From, options.Polled);
         _ledger.Begin();
@@ -84,7 +88,7 @@ internal sealed class Job
         try
         {
             var early = await JobEnd.OfAsync(RunFreeMachineAsync).ConfigureAwait(false);
-            if (early is null) return JobEnd.Complete(Wording.Count("Job.DoneSegments", _ledger.Executed));
+            if (early is null) return _options.Until is null ? JobEnd.Complete(Wording.Count("Job.DoneSegments", _ledger.Executed)) : JobEnd.ToolChange(Wording.Count("Job.DoneBeforeToolChange", _ledger.Executed));
 
             // A motion that ended early or a halted thread is a consequence of the stop.
             return early.Outcome == JobOutcome.Refused && _stop.IsPressed ? Stopped : early;
@@ -208,7 +212,7 @@ internal sealed class Job
     /// <summary>An output is the tool of a machine with a Z axis.</summary>
     private bool HasIdleHeight => _whole.Profile is { Height: null, Axes.Z: not null };
 
-    private RemainingProgram RestFrom(JobPosition place, double leadIn) => RemainingProgram.From(_whole, place, leadIn, new AngleQuantum(_whole.Profile.AngleQuantumDegrees).Quantize);
+    private RemainingProgram RestFrom(JobPosition place, double leadIn) => RemainingProgram.From(_wanted, place, leadIn, new AngleQuantum(_whole.Profile.AngleQuantumDegrees).Quantize);
 
     private IJobStrategy StrategyOf(JobMode mode) => mode switch
     {

@@ -16,10 +16,12 @@ internal sealed record JobEnd(JobOutcome Outcome, string Sentence, Rejected? Ref
     /// <summary>Why the machine's position is not reliable from here on; empty while it is.</summary>
     public string Doubt { get; init; } = "";
 
-    /// <summary>The job was not completed.</summary>
-    public bool IsEarly => Outcome != JobOutcome.Complete;
+    /// <summary>The job did not reach the end of what it was to cut.</summary>
+    public bool IsEarly => Outcome is not (JobOutcome.Complete or JobOutcome.ToolChange);
 
     public static JobEnd Complete(string sentence) => new(JobOutcome.Complete, sentence);
+
+    public static JobEnd ToolChange(string sentence) => new(JobOutcome.ToolChange, sentence);
 
     public static JobEnd Refused(Rejected rejected, string where) => new(JobOutcome.Refused, rejected.Explain() + where, rejected);
 

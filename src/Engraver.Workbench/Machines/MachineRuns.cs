@@ -93,6 +93,7 @@ public sealed class MachineRuns
                 Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
                 _status.JobEnded(report.Result);
                 if (report.Result.Outcome == JobOutcome.Complete && !given.DryRun) Part = null;
+                if (report.Result.Outcome == JobOutcome.ToolChange) Part = RestOf(job, given, report);
                 return LastRun = report;
             }
             finally
@@ -114,7 +115,11 @@ public sealed class MachineRuns
             async stop =>
             {
                 Progress = null;
-                return LastRun = await MachineRun.RunAsync(job, program, connection, options(address), _time, Listener(null), stop).ConfigureAwait(false);
+                return LastRun = await SectionedRun.RunAsync(
+                    options(address),
+                    program.Profile.Scale,
+                    section => MachineRun.RunAsync(job, program, connection, section, _time, Listener(null), stop),
+                    (_, refused) => Task.FromResult(refused is null)).ConfigureAwait(false);
             },
             cancellation).ConfigureAwait(false);
         Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
@@ -165,10 +170,15 @@ public sealed class MachineRuns
         _status.RaiseChanged();
     }
 
-    /// <summary>The drawing's zero is elsewhere now: the last job was cut at another place, and so was what START should cut of it.</summary>
+    /// <summary>What is left behind a change of the tool.</summary>
+    private static JobPart RestOf(PreparedJob job, MachineRunOptions options, MachineRunReport ended) =>
+        new(new ResumeRequest { Journal = options.JournalPath }, ended.Result.Place, options.Strategy, job.DocumentDrawing, job.Settings) { Plate = job.Plate, IsToolChange = true };
+
+    /// <summary>The drawing's zero is elsewhere now: the last job was cut at another place, and so was what START should cut of it. After a change of the tool
+    /// only the height is set again; another place is refused when the rest is started.</summary>
     internal void ForgetPlace()
     {
-        Part = null;
+        if (Part is not { IsToolChange: true }) Part = null;
         DismissJob();
     }
 

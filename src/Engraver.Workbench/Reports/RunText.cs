@@ -38,6 +38,7 @@ public static class RunText
             null => Wording.Get("RunText.LengthNotCutUnknown"),
             >= MinShown and var length => Wording.Get("RunText.LengthNotCut", length),
             > 0.0 => Wording.Get("RunText.LengthNotCutBelow", MinShown),
+            _ when report is { Section: { IsLast: false } section } => Wording.Get("RunText.SectionsCut", section.Number, section.Count),
             _ when leftOut > 0 => Wording.Get("RunText.AllThatWasReadCut"),
             _ => Wording.Get(notCut.Counts.Count > 0 ? "RunText.AllCurvesCut" : "RunText.WholeDrawingCut"),
         });

@@ -30,7 +30,8 @@ internal static class ResumeFinder
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePosition(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Strategy = mode.Strategy(), HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
+        var isToolChange = job.End?.Outcome == JobOutcome.ToolChange;
+        var found = new ResumePosition(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Strategy = mode.Strategy(), HeightOfCut = isToolChange ? null : job.Header.HeightOfCut, IsToolChange = isToolChange, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
         var sequences = kept == job.Header.Mark ? await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false) : null;
         if (witness.WhyNotCounted(sequences) is { Length: > 0 } contradicted) return ResumePosition.Refused(contradicted);
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;

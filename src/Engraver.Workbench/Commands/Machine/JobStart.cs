@@ -120,7 +120,8 @@ internal static class JobStart
 
         context.WriteMessage(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.WriteMessage(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
-        if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
+        if (report is { Result.Outcome: JobOutcome.ToolChange, Section: { } section }) context.WriteMessage(Wording.Get("JobStart.ToolChange", section.Next(job).Tool.Title), MessageKind.Warning);
+        else if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 
     /// <summary>Reports which part will be cut if it is not the whole drawing.</summary>

@@ -15,4 +15,7 @@ public sealed record JobPart(ResumeRequest Request, JobPosition Shown, Execution
 {
     /// <summary>The interrupted plate; null for a part that is not one of a plate.</summary>
     public Plate? Plate { get; init; }
+
+    /// <summary>It begins with another tool: the operator sets the height of the work, and the part remains.</summary>
+    public bool IsToolChange { get; init; }
 }

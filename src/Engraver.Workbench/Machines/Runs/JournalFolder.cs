@@ -24,4 +24,10 @@ public static class JournalFolder
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");
         return Path.Combine(folder, name);
     }
+
+    /// <summary>The journal, or another file, of a later section of a job of several tools: a-2.jsonl for a.jsonl.</summary>
+    /// <param name="path">That of the first section.</param>
+    /// <param name="run">Number of the section among those of the run, from 2.</param>
+    internal static string OfSection(string path, int run) =>
+        Path.Combine(Path.GetDirectoryName(path) ?? "", string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(path)}-{run}{Path.GetExtension(path)}"));
 }

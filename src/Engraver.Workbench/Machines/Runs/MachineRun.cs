@@ -1,7 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Core.Operations;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -9,7 +9,8 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Runs one job on one machine: connects, runs, judges, disconnects.</summary>
+/// <summary>Runs one job on one machine: connects, runs, judges, disconnects. A job of several tools ends at the next change of the tool
+/// (<see cref="SectionedRun"/>).</summary>
 public static class MachineRun
 {
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
@@ -33,7 +34,6 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        if (ToolSection.RefusalOfSeveral(job.Sections) is { } several) return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, several.Message), RunJudgement.Unknown, "", 0.0);
         using var clock = connection.CreateClock();
         var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
         var (kept, unkept) = ConversationFile.Create(options.JournalPath);
@@ -80,17 +80,19 @@ public static class MachineRun
         if (taken is { IsPersistent: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
         var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
-        var placement = await JobPlacement.FindAsync(machine, options.Lease ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
-        var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Strategy);
+        var section = options.DryRun ? null : JobSection.At(job, program, beginning.Place); // a dry run needs no other tool
+        var placement = await JobPlacement.FindAsync(machine, options.Lease ?? taken!, program, options.DryRun, beginning.Origin, section is { IsLast: false } && options.Finish == FinishPlace.Stay ? FinishPlace.Origin : options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var planned = machine.PlannedSeconds(beginning.RestOf(section?.UpToEnd(placement.Program) ?? placement.Program), options.Strategy);
         var unready = await RefusalAsync(placement, options.Lease ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
         if (unready is not null) return new MachineRunReport(JobResult.NotStarted(placement.Program.Strokes.Count, Wording.Get("MachineRun.NotReady", unready)), RunJudgement.Unknown, machine.Identity.Model, planned);
         if (options.Starting is { } starting && await starting(stop).ConfigureAwait(false) is { } unstarted) return MachineRunReport.NotBegun(unstarted, placement.Program, machine.Identity.Model, planned);
-        var judged = await RunPlacedAsync(job, placement, beginning, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
+        var judged = await RunPlacedAsync(job, section, placement, beginning, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned)
         {
             Placement = placement.Found,
             OpenLoop = placement.OpenLoop,
+            Section = section,
             ToleranceMm = RunVerdict.Tolerance(job, placement.Program, judged.Judgement),
             Trace = judged.Trace,
             IsDryRun = options.DryRun,
@@ -119,12 +121,14 @@ public static class MachineRun
         return mayStart(facts.ToStatus(profile, armed: null), placement);
     }
 
+    /// <param name="section">The strokes of one tool that are cut and judged; null for a job of one tool.</param>
     /// <param name="frame">Controller counts at the drawing's zero, used for the motion and for the comparison.</param>
     private static async Task<(JobResult Result, RunJudgement Judgement, RunTrace? Trace)> RunPlacedAsync(
-        PreparedJob job, JobPlacement placement, ResumePoint beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob whole, JobSection? section, JobPlacement placement, ResumePoint beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
+        var job = section?.JudgedOf(whole) ?? whole;
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
-        if (judge is not null) beginning.FeedJudge(judge, placement.Program);
+        if (judge is not null) beginning.FeedJudge(judge, placement.Program, section);
         var listener = judge is null ? null : new RecordListener(job.Settings.CuttingMachine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // Cuts of earlier jobs on the same simulated controller do not count for this one.
         listener?.Start(frame.X, frame.Y, frame.Z);
@@ -132,15 +136,16 @@ public static class MachineRun
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
-            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(placement.Program, ended, listener, polled)),
+            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(section?.UpToEnd(placement.Program) ?? placement.Program, ended, listener, polled)),
             Strategy = options.Strategy,
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
-            Settings = JournalSettings.Of(job),
+            Settings = JournalSettings.Of(whole),
             DryRun = options.DryRun,
             Control = options.Control,
             From = beginning.Place,
+            Until = section is { IsLast: false } ? section.Until : null,
             ResumedJournal = options.Resume?.Journal,
             LeadIn = beginning.LeadIn,
             HeightOfCut = beginning.HeightOfCut,

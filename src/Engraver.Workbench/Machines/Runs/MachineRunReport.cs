@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Verification;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -33,6 +34,12 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>Path of the run's journal; null for a run that was refused before its start.</summary>
     public string? Journal { get; init; }
 
+    /// <summary>The strokes of one tool that the run was to cut; null for a job of one tool.</summary>
+    public JobSection? Section { get; init; }
+
+    /// <summary>The reports of the sections of the job that were run, one for each; empty for a job of one tool.</summary>
+    public IReadOnlyList<MachineRunReport> Sections { get; private init; } = [];
+
     /// <summary>Resume position; earlier parts were cut by a previous job. Null for a job from the start.</summary>
     public JobPosition? ResumedFrom { get; init; }
 
@@ -53,6 +60,31 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>Report of a job that was refused because it has no placement.</summary>
     internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>
         new(JobResult.NotStarted(placement.Program.Strokes.Count, placement.Found.Refusal!.Message), RunJudgement.Unknown, controller, plannedSeconds) { Placement = placement.Found };
+
+    /// <summary>The report of a job of several tools: how its last section ended, and the sums and largest values of all of them.</summary>
+    /// <param name="sections">The sections that were run, in order, at least one.</param>
+    internal static MachineRunReport OfSections(IReadOnlyList<MachineRunReport> sections)
+    {
+        if (sections is [{ Section: null } only]) return only;
+        var last = sections[^1];
+        return last with
+        {
+            Result = last.Result with
+            {
+                SegmentsSent = sections.Sum(one => one.Result.SegmentsSent),
+                Seconds = sections.Sum(one => one.Result.Seconds),
+                Underruns = sections.Sum(one => one.Result.Underruns),
+                Rejected = sections.Sum(one => one.Result.Rejected),
+                Holds = sections.Sum(one => one.Result.Holds),
+                Diagnostics = [.. sections.SelectMany(one => one.Result.Diagnostics)],
+            },
+            Judgement = RunJudgement.OfSections([.. sections.Select(one => one.Judgement)]),
+            PlannedSeconds = sections.Sum(one => one.PlannedSeconds),
+            ToleranceMm = sections.Max(one => one.ToleranceMm),
+            ResumedFrom = sections[0].ResumedFrom,
+            Sections = sections,
+        };
+    }
 
     /// <summary>Why the wire trace ended before the job; null if complete or not requested.</summary>
     public string? TraceFailure { get; init; }

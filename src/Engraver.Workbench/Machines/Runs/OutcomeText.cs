@@ -9,6 +9,7 @@ public static class OutcomeText
     public static string Token(JobOutcome outcome) => outcome switch
     {
         JobOutcome.Complete => "complete",
+        JobOutcome.ToolChange => "toolChange",
         JobOutcome.Stopped => "stopped",
         JobOutcome.Refused => "refused",
         JobOutcome.Deviated => "deviated",

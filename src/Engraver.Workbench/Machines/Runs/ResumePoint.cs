@@ -35,6 +35,7 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
         if (JournalSettings.ResumeRefusal(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         if (found.IsUnsealed) options.FindingReported?.Invoke(PreparationRules.JournalUnsealed.At(default, journal));
         var resumed = new ResumePoint(found.Place, leadIn + found.Doubt, options.Origin);
+        if (!found.IsToolChange && JobSection.At(job, program, found.Place) is { Number: > 1 } section && found.Place == new JobPosition(section.From, 0.0)) options.FindingReported?.Invoke(OperationRules.ToolNotChanged.At(default, journal, section.Tool.Tool.Title));
         if (request.AtOrigin) return resumed;
         var then = Format(Millimetres(program, found.Frame));
         if (options.Origin is not OriginRequest.ActiveOrigin)
@@ -61,13 +62,15 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
     /// <summary>The position before a stroke of a program.</summary>
     public static JobPosition ToStroke(MotionProgram program, int stroke) => new(program.Strokes.Take(stroke).Sum(before => before.Sequences.Sum(sequence => sequence.Segments.Count)), 0.0);
 
-    /// <summary>The part of the program that will be cut; planned angles are unchanged.</summary>
+    /// <summary>The part of a program that will be cut; planned angles are unchanged.</summary>
     public MotionProgram RestOf(MotionProgram program) => Place == default ? program : RemainingProgram.From(program, Place, LeadIn, static angle => angle).Program;
 
-    /// <summary>Passes the part cut by an earlier job to a judge of the whole drawing.</summary>
-    public void FeedJudge(ITraceJudge judge, MotionProgram program)
+    /// <summary>Passes the part cut by an earlier job to a judge of the drawing, or of the strokes of one tool.</summary>
+    /// <param name="section">The section that is judged; null for the whole job.</param>
+    public void FeedJudge(ITraceJudge judge, MotionProgram program, JobSection? section)
     {
-        foreach (var sample in CutPath.SamplesBefore(program, Place)) judge.Add(sample);
+        var (part, place) = section is null ? (program, Place) : (section.Of(program), new JobPosition(Place.Segments - section.From, Place.Along));
+        foreach (var sample in CutPath.SamplesBefore(part, place)) judge.Add(sample);
         judge.BeginRun();
     }
 }

@@ -26,4 +26,22 @@ public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthM
 
     /// <summary>The first position of the drawing that was not cut, millimetres; null if nothing is missing or it is unknown.</summary>
     public Point2D? MissingAt { get; init; }
+
+    /// <summary>The judgement of several runs that cut one drawing: the largest deviation and the sum of the missing lengths. A figure that is unknown in one
+    /// of them is unknown.</summary>
+    /// <param name="runs">At least one.</param>
+    internal static RunJudgement OfSections(IReadOnlyList<RunJudgement> runs)
+    {
+        var worst = runs.MaxBy(run => run.MaxDeviationMm ?? double.NegativeInfinity)!;
+        var following = runs.MaxBy(run => run.FollowingMm ?? double.NegativeInfinity)!;
+        return worst with
+        {
+            MaxDeviationMm = runs.All(run => run.MaxDeviationMm is not null) ? worst.MaxDeviationMm : null,
+            MissingLengthMm = runs.All(run => run.MissingLengthMm is not null) ? runs.Sum(run => run.MissingLengthMm) : null,
+            MissingAt = runs.Select(run => run.MissingAt).FirstOrDefault(place => place is not null),
+            CommandedDeviationMm = runs.All(run => run.CommandedDeviationMm is not null) ? runs.Max(run => run.CommandedDeviationMm) : null,
+            FollowingMm = runs.All(run => run.FollowingMm is not null) ? following.FollowingMm : null,
+            FollowingAt = following.FollowingAt,
+        };
+    }
 }
