@@ -52,10 +52,17 @@ public static class OperationRules
 
     public static readonly DiagnosticRule ToolNotChanged = new("OPR0030", Severity.Warning, "journal", "tool");
 
+    public static readonly DiagnosticRule StartUnused = new("OPR0050", Severity.Warning, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule NoCorner = new("OPR0051", Severity.Info, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule TabUnplaced = new("OPR0052", Severity.Warning, "operation", "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged,
+        StartUnused, NoCorner, TabUnplaced,
     ];
 }

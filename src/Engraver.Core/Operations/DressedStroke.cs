@@ -5,7 +5,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Operations;
 
-/// <summary>A closed stroke of a profile while it gets its start, its tabs and its leads.</summary>
+/// <summary>A closed stroke of a profile while it gets its depth, its tabs and its leads.</summary>
 /// <param name="moves">Lines and arcs in order and direction, in plan.</param>
 internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
 {
@@ -19,36 +19,14 @@ internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
 
     public IReadOnlyList<StrokeMove> Moves => _moves;
 
-    private double Length => _moves.Sum(move => move.Segment.Length);
-
-    /// <summary>Begins in the middle of the longest or the highest side.</summary>
-    public void StartBy(StartRule rule)
-    {
-        if (rule == StartRule.Nearest) return;
-        var side = rule == StartRule.Longest ? _moves.MaxBy(move => move.Segment.Length) : _moves.MaxBy(move => move.Segment.PointAt(TopOf(move.Segment)).Y);
-        var (index, middle) = (_moves.IndexOf(side), rule == StartRule.Longest ? 0.5 : TopOf(side.Segment));
-        StrokeMove Part(double from, double to) => side with { Segment = SegmentPart.Of(side.Segment, from, to) };
-        _moves = [Part(middle, 1.0), .. _moves.Skip(index + 1), .. _moves.Take(index), Part(0.0, middle)];
-    }
-
-    /// <summary>The fraction at the highest point of an arc, if it is within the arc; otherwise the middle.</summary>
-    private static double TopOf(in Segment segment)
-    {
-        if (segment.Kind == SegmentKind.Line) return 0.5;
-        var (arc, up) = (segment.Arc, Angle.FromDegrees(90.0));
-        var ahead = arc.Sweep.Degrees >= 0.0 ? (up - arc.Start).Positive().Degrees : (arc.Start - up).Positive().Degrees;
-        return ahead / Math.Abs(arc.Sweep.Degrees) is > 0.01 and < 0.99 and var fraction ? fraction : 0.5;
-    }
-
-    /// <summary>Raises the tool over tabs, which are on sides that are long enough for them, as evenly as these allow.</summary>
+    /// <summary>Raises the tool over tabs.</summary>
+    /// <param name="places">Distances along the stroke of the middles of the tabs, in order; each tab is within one move.</param>
     /// <param name="span">Length of path on which the tool is up: width of the tab and diameter of the tool.</param>
     /// <param name="depth">Depth of the pass, below the tabs.</param>
     /// <param name="tabDepth">Depth of the top of the tabs.</param>
-    /// <returns>Number of tabs.</returns>
-    public int AddTabs(int count, double span, double depth, double tabDepth)
+    public void AddTabs(IReadOnlyList<double> places, double span, double depth, double tabDepth)
     {
-        var places = TabPlaces(count, span);
-        if (depth <= tabDepth) return places.Count;
+        if (depth <= tabDepth) return;
         var (dressed, along) = (new List<StrokeMove>(), 0.0);
         foreach (var move in _moves)
         {
@@ -69,7 +47,6 @@ internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
         }
 
         _moves = dressed;
-        return places.Count;
 
         void Add(in StrokeMove move, double from, double to, StrokeRole role, double z) =>
             dressed.Add(move with { Segment = SegmentPart.Of(move.Segment, from, to), StartZ = z, EndZ = z, Role = role });
@@ -137,28 +114,5 @@ internal sealed class DressedStroke(IReadOnlyList<StrokeMove> moves)
         var from = centre - (tangent * radius);
         var sweep = Angle.FromDegrees(isLeft ? 90.0 : -90.0);
         return Segment.FromArc(new ArcSegment(centre, radius, (from - centre).Direction, sweep), from, start);
-    }
-
-    /// <summary>Distances along the stroke of the middles of the tabs, in order.</summary>
-    private List<double> TabPlaces(int count, double span)
-    {
-        var (whole, along, ranges) = (Length, 0.0, new List<(double From, double To)>());
-        foreach (var segment in _moves.Select(move => move.Segment))
-        {
-            var isGentle = segment.Kind == SegmentKind.Line || segment.Arc.Radius >= 2.0 * span;
-            if (isGentle && segment.Length >= span * 1.5) ranges.Add((along + (span * 0.75), along + segment.Length - (span * 0.75)));
-            along += segment.Length;
-        }
-
-        var places = new List<double>();
-        for (var i = 0; i < count && ranges.Count > 0; i++)
-        {
-            var wanted = whole * (i + 0.5) / count;
-            var place = ranges.Select(range => Math.Clamp(wanted, range.From, range.To)).MinBy(near => Math.Abs(near - wanted));
-            if (places.All(other => Math.Abs(other - place) >= 1.5 * span)) places.Add(place);
-        }
-
-        places.Sort();
-        return places;
     }
 }

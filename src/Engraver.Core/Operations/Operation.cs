@@ -1,9 +1,14 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Core.Operations;
 
 /// <summary>One operation: what is machined, with which tool, how deep and how. Lengths in millimetres, depths below the top of the work (height 0) and
 /// positive.</summary>
 public sealed record Operation
 {
+    /// <summary>Distance of picked places from their contours unless stated otherwise, mm.</summary>
+    public const double PickedWithin = 10.0;
+
     /// <summary>Unique in its list; files, journals and reports name the operation by it.</summary>
     public required string Id { get; init; }
 
@@ -92,6 +97,13 @@ public sealed record Operation
 
     /// <summary>Where a closed profile starts.</summary>
     public StartRule Start { get; init; }
+
+    /// <summary>Places that the operator picked, mm: each is the start of the closed contour nearest to it. The other contours start by
+    /// <see cref="Start"/>.</summary>
+    public IReadOnlyList<Point2D> StartAt { get; init; } = [];
+
+    /// <summary>Largest distance of a picked start from the path of its contour, mm.</summary>
+    public double StartWithin { get; init; } = PickedWithin;
 
     /// <summary>Bridges that hold the part; null for none.</summary>
     public PartTabs? Tabs { get; init; }

@@ -42,13 +42,14 @@ public static class OperationCheck
     {
         if (shape.Path.Count == 0) yield break;
         if (DepthFault(shape.Operation, [.. passes.Select(pass => -pass[0].Moves[0].StartZ)]) is { } fault) yield return NotAsStated(shape, fault, passes.Count > 0 ? passes[0][0].Start : default);
+        var tabs = new TabCheck(shape);
         foreach (var pass in passes)
         {
             var level = pass[0].Moves[0].StartZ;
             foreach (var stroke in pass)
             {
                 if (stroke.Moves.Any(move => move.Role != StrokeRole.Tab && (move.StartZ != level || move.EndZ != level))) yield return NotAsStated(shape, "depth", stroke.Start);
-                if (TabFault(shape, stroke, level)) yield return NotAsStated(shape, "tab", stroke.Start);
+                if (tabs.IsFault(stroke, OfContour(stroke), level)) yield return NotAsStated(shape, "tab", stroke.Start);
                 if (DirectionFault(shape.Operation, stroke, pass)) yield return NotAsStated(shape, "direction", stroke.Start);
             }
 
@@ -60,19 +61,6 @@ public static class OperationCheck
     private static ToolpathStroke OfContour(ToolpathStroke stroke) => stroke.Moves.All(move => move.Role == StrokeRole.Cut)
         ? stroke
         : stroke with { Moves = [.. stroke.Moves.Where(move => move.Role != StrokeRole.Lead && move.Segment.Length > 0.0)] };
-
-    /// <summary>True when the tabs of a stroke have another number, width or height than stated: the tool is up on level pieces as long as a tab and the tool
-    /// are wide, at most as many as stated, and only where the pass is below the tabs.</summary>
-    private static bool TabFault(ShapedOperation shape, ToolpathStroke stroke, double level)
-    {
-        var raised = stroke.Moves.Where(move => move.Role == StrokeRole.Tab).ToList();
-        if (shape.Operation is not { Tabs: { } tabs, Depth: { } depth }) return raised.Count > 0;
-        if (!stroke.Moves.Any(move => move.Role == StrokeRole.Lead) && !stroke.Closed) return raised.Count > 0;
-        var top = tabs.Height - depth;
-        if (level >= top - DepthRounding) return raised.Count > 0;
-        var up = raised.Where(move => move.Segment.Length > 0.0).ToList();
-        return up.Count > tabs.Count || raised.Count != 3 * up.Count || up.Any(move => Math.Abs(move.StartZ - top) > DepthRounding || move.EndZ != move.StartZ || Math.Abs(move.Segment.Length - tabs.Width - shape.Part.Tool.Diameter) > LengthRounding);
-    }
 
     /// <summary>The fault of a list of depths; null when they are those of the operation: equal steps to the depth that is left for the last pass, as few as
     /// the depth of a pass allows, and then the depth itself as often as it is repeated.</summary>

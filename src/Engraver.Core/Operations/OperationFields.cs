@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Operations;
 
@@ -8,6 +9,8 @@ namespace Engraver.Core.Operations;
 /// line.</summary>
 internal sealed class OperationFields
 {
+    private const double LargestCoordinate = 1e6;
+
     private readonly JsonElement _object;
     private readonly string _path;
     private readonly JsonFields _lines;
@@ -99,6 +102,26 @@ internal sealed class OperationFields
         return texts;
     }
 
+    /// <summary>A list of places, each a list of two numbers, millimetres; empty when the field is missing.</summary>
+    public IReadOnlyList<Point2D> Places(string name)
+    {
+        if (Find(name) is not { } value) return [];
+        if (value.ValueKind != JsonValueKind.Array)
+        {
+            Invalid(PathOf(name), Shown(value), Wording.Get("OperationFile.List"));
+            return [];
+        }
+
+        var places = new List<Point2D>();
+        foreach (var item in value.EnumerateArray())
+        {
+            if (item.ValueKind == JsonValueKind.Array && item.GetArrayLength() == 2 && Coordinate(item[0]) is { } x && Coordinate(item[1]) is { } y) places.Add(new Point2D(x, y));
+            else Invalid(PathOf(name), Shown(item), Wording.Get("OperationFile.Place", LargestCoordinate));
+        }
+
+        return places;
+    }
+
     public void Invalid(string field, string value, string allowed) => _findings.Add(OperationRules.ValueInvalid.At(SourceOf(field), field, value, allowed));
 
     public string PathOf(string name) => _path.Length == 0 ? name : $"{_path}.{name}";
@@ -115,6 +138,8 @@ internal sealed class OperationFields
         var text = value.ValueKind == JsonValueKind.String ? value.GetString()! : value.GetRawText();
         return text.Length <= 40 ? text : string.Create(CultureInfo.InvariantCulture, $"{text.AsSpan(0, 40)}...");
     }
+
+    private static double? Coordinate(JsonElement value) => value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out var number) && Math.Abs(number) <= LargestCoordinate ? number : null;
 
     private SourceRef SourceOf(string path) => new(path.Length == 0 ? 1 : _lines.LineOf(path));
 }

@@ -10,6 +10,8 @@ public static class OperationFile
 {
     /// <summary>Version of the files that are written and read.</summary>
     public const string Version = "1.0";
+    private const string CountField = "count";
+    private const string PlacesField = "at";
     private const double LargestLength = 1e4;
     private const double LargestSpeed = 1e6;
 
@@ -26,8 +28,8 @@ public static class OperationFile
     private static readonly string[] s_materialFields = ["name", "feeds"];
     private static readonly string[] s_feedFields = ["tool", "feed", "plunge", "spindle"];
     private static readonly string[] s_leadFields = ["shape", "radius", "length"];
-    private static readonly string[] s_startFields = ["rule"];
-    private static readonly string[] s_tabFields = ["count", "width", "height"];
+    private static readonly string[] s_startFields = ["rule", "at", "within"];
+    private static readonly string[] s_tabFields = ["count", "spacing", "at", "within", "width", "height"];
     private static readonly string[] s_selectFields = ["layers", "colours", "handles"];
 
     private static readonly string[] s_operationFields =
@@ -195,6 +197,7 @@ public static class OperationFile
         var of = new OperationFields(value, path, lines, s_operationFields, findings);
         foreach (var name in (string[])["id", "kind", "select", "tool"]) of.Required(name);
         if (of.Find("kind") is { ValueKind: JsonValueKind.String } kind && kind.GetString() == "fill") of.Required("spacing");
+        var start = Inner(of, "start", path, lines, s_startFields, findings);
         var operation = new Operation
         {
             Id = of.Text("id") ?? "",
@@ -227,7 +230,9 @@ public static class OperationFile
             MaxDiameter = of.Number("maxDiameter", 0.0, LargestLength, includesLowest: false),
             LeadIn = LeadOf(of, "leadIn", path, lines, findings),
             LeadOut = LeadOf(of, "leadOut", path, lines, findings),
-            Start = Inner(of, "start", path, lines, s_startFields, findings)?.Choice<StartRule>("rule") ?? StartRule.Nearest,
+            Start = start?.Choice<StartRule>("rule") ?? StartRule.Nearest,
+            StartAt = start?.Places("at") ?? [],
+            StartWithin = start is null ? Operation.PickedWithin : WithinOf(start),
             Tabs = TabsOf(of, path, lines, findings),
         };
         if (findings.Count > before) return null;
@@ -284,8 +289,19 @@ public static class OperationFile
     private static PartTabs? TabsOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
     {
         if (Inner(of, "tabs", path, lines, s_tabFields, findings) is not { } tabs) return null;
-        foreach (var name in s_tabFields) tabs.Required(name);
-        return tabs.Whole("count", 1, 100) is { } count && tabs.Number("width", 0.0, 1e3, includesLowest: false) is { } width && tabs.Number("height", 0.0, LargestLength, includesLowest: false) is { } height ? new PartTabs(count, width, height) : null;
+        foreach (var name in (string[])["width", "height"]) tabs.Required(name);
+        if (!tabs.Has("spacing") && !tabs.Has("at")) tabs.Required("count");
+        if (tabs.Find("spacing") is { } both && tabs.Has("count")) tabs.Invalid(tabs.PathOf("spacing"), OperationFields.Shown(both), Wording.Get("OperationFile.NotWith", CountField));
+        var (count, spacing, at) = (tabs.Whole("count", 1, 100), tabs.Number("spacing", 0.0, LargestLength, includesLowest: false), tabs.Places("at"));
+        if (tabs.Number("width", 0.0, 1e3, includesLowest: false) is not { } width || tabs.Number("height", 0.0, LargestLength, includesLowest: false) is not { } height) return null;
+        return new PartTabs(width, height) { Count = count, Spacing = spacing, At = at, Within = WithinOf(tabs) };
+    }
+
+    /// <summary>How far places that were picked may be from their contours.</summary>
+    private static double WithinOf(OperationFields of)
+    {
+        if (of.Find("within") is { } within && !of.Has("at")) of.Invalid(of.PathOf("within"), OperationFields.Shown(within), Wording.Get("OperationFile.OnlyWith", PlacesField));
+        return of.Number("within", 0.0, LargestLength, includesLowest: false) ?? Operation.PickedWithin;
     }
 
     private static OperationSelection SelectionOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)

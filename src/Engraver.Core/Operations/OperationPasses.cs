@@ -16,6 +16,9 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
     /// <summary>Leads and tabs for which there was not enough room.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 
+    /// <summary>Tabs and starts of the operations that have any.</summary>
+    public IReadOnlyList<DressedPlaces> Places { get; init; } = [];
+
     /// <param name="ordered">In the order of the operations.</param>
     /// <param name="drawn">The drawing as contours, for its discontinuities.</param>
     /// <param name="contours">Contours from which leads keep away.</param>
@@ -27,6 +30,7 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
         ArgumentNullException.ThrowIfNull(drawn);
         ArgumentNullException.ThrowIfNull(options);
         var (table, cuts, findings) = (new EntityTable(), new List<(OrderedStroke Stroke, int Rows, StrokePass Pass)>(), new List<Diagnostic>());
+        var dressed = new List<DressedPlaces>();
         var parts = new PartClearance([.. contours]);
         foreach (var operation in ordered)
         {
@@ -41,13 +45,15 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
                 cuts.Add((operation.Strokes[stroke] with { Closed = closed }, table.Count - before, new StrokePass(operation.Shape.Operation, stroke, pass, depths[pass])));
             }
 
-            findings.AddRange(dressing?.Findings ?? []);
+            if (dressing is null) continue;
+            findings.AddRange(dressing.Findings);
+            dressed.Add(dressing.Places);
         }
 
         var places = cuts.Select((cut, index) => (cut.Pass.Operation, cut.Pass.Stroke, cut.Pass.Pass, index)).ToDictionary(cut => (cut.Operation.Id, cut.Stroke, cut.Pass), cut => cut.index);
         var (strokes, curves) = (new StrokeList(table, cuts.Count), new CurveCount(drawing));
         foreach (var (stroke, rows, pass) in cuts) strokes.Add(stroke.Closed, rows, stroke.Inside < 0 ? -1 : places[(pass.Operation.Id, stroke.Inside, pass.Pass)], curves);
-        return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]) { Findings = findings };
+        return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]) { Findings = findings, Places = dressed };
     }
 
     /// <summary>The strokes and passes in the order of cutting. A hole is drilled in one stroke, pecks included.</summary>

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Operations;
 
@@ -69,8 +70,7 @@ internal static class OperationText
         if (operation.Kind == OperationKind.Fill) WriteFill(writer, operation);
         Write(writer, "leadIn", operation.LeadIn);
         Write(writer, "leadOut", operation.LeadOut);
-        if (operation.Start != StartRule.Nearest) writer.WritePropertyName("start");
-        if (operation.Start != StartRule.Nearest) writer.WriteRawValue($"{{\"rule\":\"{OperationFields.WordOf(operation.Start)}\"}}");
+        WriteStart(writer, operation);
         if (operation.Tabs is { } tabs) Write(writer, tabs);
         WriteNumber(writer, "peck", operation.Peck);
         WriteNumber(writer, "maxDiameter", operation.MaxDiameter);
@@ -91,10 +91,46 @@ internal static class OperationText
     private static void Write(Utf8JsonWriter writer, PartTabs tabs)
     {
         writer.WriteStartObject("tabs");
-        writer.WriteNumber("count", tabs.Count);
+        WriteNumber(writer, "count", tabs.Count);
+        WriteNumber(writer, "spacing", tabs.Spacing);
+        if (tabs is { At.Count: 0, Count: null, Spacing: null }) WriteEmpty(writer);
+        Write(writer, tabs.At, tabs.Within);
         writer.WriteNumber("width", tabs.Width);
         writer.WriteNumber("height", tabs.Height);
         writer.WriteEndObject();
+    }
+
+    /// <summary>Tabs by hand of which none is left.</summary>
+    private static void WriteEmpty(Utf8JsonWriter writer)
+    {
+        writer.WriteStartArray("at");
+        writer.WriteEndArray();
+    }
+
+    private static void WriteStart(Utf8JsonWriter writer, Operation operation)
+    {
+        if (operation.Start == StartRule.Nearest && operation.StartAt.Count == 0) return;
+        writer.WriteStartObject("start");
+        if (operation.Start != StartRule.Nearest) writer.WriteString("rule", OperationFields.WordOf(operation.Start));
+        Write(writer, operation.StartAt, operation.StartWithin);
+        writer.WriteEndObject();
+    }
+
+    /// <summary>Picked places, and how far they may be from their contours.</summary>
+    private static void Write(Utf8JsonWriter writer, IReadOnlyList<Point2D> at, double within)
+    {
+        if (at.Count == 0) return;
+        writer.WriteStartArray("at");
+        foreach (var place in at)
+        {
+            writer.WriteStartArray();
+            writer.WriteNumberValue(place.X);
+            writer.WriteNumberValue(place.Y);
+            writer.WriteEndArray();
+        }
+
+        writer.WriteEndArray();
+        WriteNumber(writer, "within", within == Operation.PickedWithin ? null : within);
     }
 
     private static void WriteFill(Utf8JsonWriter writer, Operation operation)

@@ -1,7 +1,26 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Core.Operations;
 
 /// <summary>Bridges of material that hold a part until it is taken out: the tool rises over them in the deepest passes.</summary>
-/// <param name="Count">For each contour, at least 1.</param>
 /// <param name="Width">Of the material that remains, mm.</param>
 /// <param name="Height">Above the final depth, mm.</param>
-public sealed record PartTabs(int Count, double Width, double Height);
+public sealed record PartTabs(double Width, double Height)
+{
+    /// <summary>Number of tabs of each contour, at least 1; null when <see cref="Spacing"/> determines it, or without such tabs.</summary>
+    public int? Count { get; init; }
+
+    /// <summary>Largest distance of the middles of neighbouring tabs along the path, mm, as far as sides allow; null when <see cref="Count"/> determines the
+    /// number, or without such tabs.</summary>
+    public double? Spacing { get; init; }
+
+    /// <summary>Places of tabs that were picked by hand, mm; these are besides the others.</summary>
+    public IReadOnlyList<Point2D> At { get; init; } = [];
+
+    /// <summary>Largest distance of a tab from its picked place, mm.</summary>
+    public double Within { get; init; } = Operation.PickedWithin;
+
+    /// <summary>Number of tabs on a contour, besides those picked by hand.</summary>
+    /// <param name="length">Length of its path, mm.</param>
+    public int CountOn(double length) => Count ?? (Spacing is { } spacing ? Math.Max(1, (int)Math.Ceiling(length / spacing * (1.0 - 1e-12))) : 0);
+}

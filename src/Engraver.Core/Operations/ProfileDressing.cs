@@ -11,11 +11,19 @@ internal sealed class ProfileDressing
     private readonly OrderedOperation _ordered;
     private readonly PartClearance _parts;
     private readonly double _radius;
+    private readonly PickedPlaces _starts;
+    private readonly PickedPlaces _tabsByHand;
     private readonly Dictionary<int, (double In, double Out)> _leads = [];
-    private readonly Dictionary<int, int> _tabs = [];
+    private readonly Dictionary<int, TabPlaces> _tabs = [];
+    private readonly HashSet<int> _withoutCorner = [];
 
-    private ProfileDressing(OrderedOperation ordered, PartClearance parts) =>
+    private ProfileDressing(OrderedOperation ordered, PartClearance parts)
+    {
         (_ordered, _parts, _radius) = (ordered, parts, (ordered.Shape.Part.Tool.Diameter / 2.0) + ordered.Shape.Operation.Stock);
+        var segments = ordered.Strokes.Select(stroke => (IReadOnlyList<Segment>)[.. stroke.Closed ? MovesOf(stroke).Select(move => move.Segment) : []]).ToList();
+        _starts = new PickedPlaces(segments, Operation.StartAt, Operation.StartWithin);
+        _tabsByHand = new PickedPlaces(segments, Operation.Tabs?.At ?? [], Operation.Tabs?.Within ?? 0.0);
+    }
 
     private Operation Operation => _ordered.Shape.Operation;
 
@@ -29,13 +37,22 @@ internal sealed class ProfileDressing
             var shortened = _leads.Where(lead => !refused.Contains(lead.Key) && (lead.Value.In < wanted.In || lead.Value.Out < wanted.Out)).Select(lead => lead.Key).ToList();
             if (refused.Count > 0) yield return At(OperationRules.NoLead, refused);
             if (shortened.Count > 0) yield return At(OperationRules.LeadShortened, shortened);
-            if (_tabs.Where(tabs => tabs.Value < Operation.Tabs!.Count).Select(tabs => tabs.Key).ToList() is { Count: > 0 } fewer) yield return At(OperationRules.FewerTabs, fewer);
+            if (_tabs.Where(tabs => tabs.Value.Missing > 0).Select(tabs => tabs.Key).ToList() is { Count: > 0 } fewer) yield return At(OperationRules.FewerTabs, fewer);
+            if (_withoutCorner.Count > 0) yield return At(OperationRules.NoCorner, [.. _withoutCorner]);
+            if (UnusedStarts is { Count: > 0 } starts) yield return At(OperationRules.StartUnused, starts);
+            List<Point2D> tabs = [.. _tabsByHand.Unused, .. _tabs.Values.SelectMany(tabs => tabs.Unplaced)];
+            if (tabs.Count > 0) yield return At(OperationRules.TabUnplaced, tabs);
         }
     }
 
+    /// <summary>The middles of its tabs, and the picked starts that no contour uses: of several on a contour the last one is used.</summary>
+    public DressedPlaces Places => new(Operation.Id, [.. _tabs.OrderBy(tabs => tabs.Key).SelectMany(tabs => tabs.Value.Points)], UnusedStarts);
+
+    private IReadOnlyList<Point2D> UnusedStarts => [.. _starts.Unused, .. Enumerable.Range(0, _ordered.Strokes.Count).SelectMany(stroke => _starts.Of(stroke).SkipLast(1))];
+
     /// <summary>Null for an operation without any of these.</summary>
     public static ProfileDressing? For(OrderedOperation ordered, PartClearance parts) =>
-        ordered.Shape.Operation is { Kind: OperationKind.Profile } and ({ LeadIn: not null } or { LeadOut: not null } or { Tabs: not null } or { Start: not StartRule.Nearest }) ? new ProfileDressing(ordered, parts) : null;
+        ordered.Shape.Operation is { Kind: OperationKind.Profile } and ({ LeadIn: not null } or { LeadOut: not null } or { Tabs: not null } or { Start: not StartRule.Nearest } or { StartAt.Count: > 0 }) ? new ProfileDressing(ordered, parts) : null;
 
     /// <summary>True when a stroke that was appended begins or ends beside its contour.</summary>
     public bool HasLeads(int stroke) => _leads.GetValueOrDefault(stroke) is { In: > 0.0 } or { Out: > 0.0 };
@@ -46,13 +63,29 @@ internal sealed class ProfileDressing
     {
         var stroke = _ordered.Strokes[index];
         if (!stroke.Closed) return false;
-        var dressed = new DressedStroke([.. Enumerable.Range(stroke.FirstRow, stroke.Rows).Select(row => StrokeMove.From(_ordered.Path[row]))]);
-        dressed.StartBy(Operation.Start);
+        var dressed = new DressedStroke(Started(index, [.. MovesOf(stroke)]));
         dressed.SetDepth(depth);
-        if (Operation is { Tabs: { } tabs, Depth: { } bottom }) _tabs[index] = dressed.AddTabs(tabs.Count, tabs.Width + _ordered.Shape.Part.Tool.Diameter, depth, bottom - tabs.Height);
+        if (Operation is { Tabs: { } tabs, Depth: { } bottom })
+        {
+            var span = tabs.Width + _ordered.Shape.Part.Tool.Diameter;
+            _tabs[index] = new TabPlaces(tabs, [.. dressed.Moves.Select(move => move.Segment)], _tabsByHand.Of(index), span);
+            dressed.AddTabs(_tabs[index].Middles, span, depth, bottom - tabs.Height);
+        }
+
         if (Operation.LeadIn is not null || Operation.LeadOut is not null) _leads[index] = dressed.AddLeads(Operation.LeadIn, Operation.LeadOut, _parts.At, _radius);
         foreach (var move in dressed.Moves) Append(table, move);
         return true;
+    }
+
+    private IEnumerable<StrokeMove> MovesOf(OrderedStroke stroke) => Enumerable.Range(stroke.FirstRow, stroke.Rows).Select(row => StrokeMove.From(_ordered.Path[row]));
+
+    /// <summary>From the picked place of the stroke, or by the rule.</summary>
+    private IReadOnlyList<StrokeMove> Started(int index, IReadOnlyList<StrokeMove> moves)
+    {
+        if (_starts.Of(index).TakeLast(1).ToList() is [var picked]) return StrokeStart.Near(picked, moves);
+        if (StrokeStart.By(Operation.Start, moves, _parts.At, _radius) is { } started) return started;
+        _withoutCorner.Add(index);
+        return moves;
     }
 
     private static void Append(EntityTable table, in StrokeMove move)
@@ -68,4 +101,7 @@ internal sealed class ProfileDressing
         var place = _ordered.Path[_ordered.Strokes[strokes.Min()].FirstRow].StartPoint;
         return rule.At(default, Operation.Title, FactText.Of(strokes.Count), FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place };
     }
+
+    private Diagnostic At(DiagnosticRule rule, IReadOnlyList<Point2D> places) =>
+        rule.At(default, Operation.Title, FactText.Of(places.Count), FactText.Of(places[0].X), FactText.Of(places[0].Y)) with { Place = places[0] };
 }

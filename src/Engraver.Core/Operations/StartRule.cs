@@ -11,4 +11,7 @@ public enum StartRule
 
     /// <summary>In the middle of the highest side, or at the highest point of an arc.</summary>
     Top,
+
+    /// <summary>At the sharpest corner.</summary>
+    Corner,
 }

@@ -51,6 +51,21 @@ public static class OperationEdits
         return Read(file);
     }
 
+    /// <summary>Sets a field of an object in an operation.</summary>
+    /// <param name="value">Null removes the field, and the object when it is then empty.</param>
+    /// <exception cref="SettingException">The value is not valid.</exception>
+    public static OperationPlan Changed(OperationPlan plan, string id, string field, string inner, JsonNode? value)
+    {
+        var file = FileOf(plan);
+        var operation = Find(file, id);
+        var edited = operation[field]?.AsObject() ?? [];
+        if (value is null) edited.Remove(inner);
+        else edited[inner] = value;
+        operation.Remove(field);
+        if (edited.Count > 0) operation[field] = edited;
+        return Read(file);
+    }
+
     /// <exception cref="SettingException">No operation would be left.</exception>
     public static OperationPlan Deleted(OperationPlan plan, string id)
     {

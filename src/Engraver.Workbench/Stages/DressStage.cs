@@ -16,6 +16,6 @@ internal sealed class DressStage() : JobStage<OrderedJob, OrderedJob>("Dress", s
     {
         if (job.Assignment is not { } assignment) return job;
         var passes = OperationPasses.Of(job.Operations, job.Drawn!, assignment.Contours, job.Drawing, StageOptions.SequencingFor(job.Drawing, job.Settings));
-        return job with { Sequence = passes.Sequence, Cut = new CutTable(passes.Sequence.Table, null, []), Passes = passes.Strokes, Drawn = null, Findings = [.. job.Findings, .. passes.Findings] };
+        return job with { Sequence = passes.Sequence, Cut = new CutTable(passes.Sequence.Table, null, []), Passes = passes.Strokes, Places = passes.Places, Drawn = null, Findings = [.. job.Findings, .. passes.Findings] };
     }
 }

@@ -21,4 +21,7 @@ public record OrderedJob : ShapedJob
 
     /// <summary>Operation and pass of each stroke; empty for a job without operations.</summary>
     public IReadOnlyList<StrokePass> Passes { get; init; } = [];
+
+    /// <summary>Tabs and starts of the operations that have any.</summary>
+    public IReadOnlyList<DressedPlaces> Places { get; init; } = [];
 }

@@ -42,6 +42,62 @@ public class ProfileDressingTests
         Assert.True(start.DistanceTo(new Point2D(x, y)) < 1e-9 || (rule == "longest" && start.DistanceTo(new Point2D(31.0, y)) < 1e-9), $"{start}");
     }
 
+    /// <summary>The corner of the drawing is inside of the arc around it, or where two sides of a hole meet; the sharpest one is taken.</summary>
+    [Theory]
+    [InlineData("outside", 30.0 + 0.92388, -0.38268)] // in the middle of the arc around it
+    [InlineData("inside", 30.0 - 2.41421, 1.0)] // where the path is 1 mm from both sides
+    public void The_start_is_at_the_sharpest_corner(string side, double x, double y)
+    {
+        // A trapezoid with angles of 90, 90, 135 and 45 degrees, the last at 30, 0.
+        var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Line(0, 0, 30, 0), Line(30, 0, 20, 10), Line(20, 10, 0, 10), Line(0, 10, 0, 0)).Circle(60, 0, 5).Build();
+        var job = new OperationJob(drawing, $$"""{ "id": "cut", "kind": "profile", "side": "{{side}}", "select": "rest", "tool": 1, "depth": 3, "start": {"rule": "corner"} }""");
+        var start = job.Path.Strokes.Single(stroke => stroke.Start.X < 40.0).Start;
+
+        Assert.True(start.DistanceTo(new Point2D(x, y)) < 1e-4, $"{start}");
+        Assert.Equal(("OPR0051", "1"), (Assert.Single(job.Passes.Findings).Id, job.Passes.Findings[0].Facts[1]));
+        Assert.Empty(job.CheckOf(job.Path));
+    }
+
+    [Fact]
+    public void A_picked_start_belongs_to_the_nearest_contour_and_one_without_is_named()
+    {
+        var drawing = new DrawingBuilder().Square(0, 0, 20).Square(23, 0, 20).Circle(70, 10, 5).Build();
+        var job = new OperationJob(drawing, """{ "id": "cut", "kind": "profile", "side": "outside", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 2, "start": {"rule": "top", "at": [[9, 0], [20.5, 7], [75, 10], [70, 40]], "within": 4} }""");
+
+        Assert.Equal([(10.0, 21.0, 7.0), (33.0, 33.0, 21.0), (70.0, 76.0, 10.0)], job.Path.Strokes.Where((_, index) => job.Passes.Strokes[index].Pass == 1).Select(stroke => (Math.Round((stroke.Moves.Min(move => move.Segment.Bounds.MinX) + stroke.Moves.Max(move => move.Segment.Bounds.MaxX)) / 2.0, 6), Math.Round(stroke.Start.X, 6), Math.Round(stroke.Start.Y, 6))).Order());
+        var finding = Assert.Single(job.Passes.Findings);
+        Assert.Equal(("OPR0050", "2", "70"), (finding.Id, finding.Facts[1], finding.Facts[2]));
+        Assert.Empty(job.CheckOf(job.Path));
+    }
+
+    [Theory]
+    [InlineData("\"spacing\": 30", 6)] // 4 sides of 40 mm and 4 quarters of the radius: 166.3 mm
+    [InlineData("\"spacing\": 500", 1)]
+    [InlineData("\"at\": [[20, 0], [40, 11], [38.9, 40.9]]", 3)]
+    [InlineData("\"count\": 2, \"at\": [[20, 0]]", 3)]
+    [InlineData("\"count\": 40", 24)] // as many as fit at one and a half times the span of 4 mm
+    public void Tabs_are_by_count_by_spacing_or_by_hand(string tabs, int count)
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 40).Build(), $$"""{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "tabs": { {{tabs}}, "width": 2, "height": 1} }""");
+        var middles = job.Path.Strokes[0].Moves.Where(move => move.Role == StrokeRole.Tab && move.Segment.Length > 0.0).Select(tab => tab.Segment.PointAt(0.5)).ToList();
+
+        Assert.Equal(count, middles.Count);
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Equal(count == 24 ? ["OPR0023"] : [], job.Passes.Findings.Select(finding => finding.Id));
+        if (tabs.Contains("at", StringComparison.Ordinal)) Assert.Contains(middles, middle => middle.DistanceTo(new Point2D(20.0, -1.0)) < 1e-6);
+        if (count == 3 && !tabs.Contains("count", StringComparison.Ordinal)) Assert.Contains(middles, middle => middle.DistanceTo(new Point2D(37.0, 41.0)) < 1e-6); // away from the corner
+    }
+
+    [Fact]
+    public void A_picked_tab_without_room_is_named()
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 40).Circle(80, 0, 4).Build(), """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "tabs": {"at": [[20, 0], [20.5, 0], [80, 5], [100, 100]], "within": 5, "width": 2, "height": 1} }""");
+
+        var finding = Assert.Single(job.Passes.Findings);
+        Assert.Equal(("OPR0052", "3", "100"), (finding.Id, finding.Facts[1], finding.Facts[2]));
+        Assert.Empty(job.CheckOf(job.Path));
+    }
+
     [Fact]
     public void A_lead_without_room_is_shortened_or_left_out_and_named()
     {

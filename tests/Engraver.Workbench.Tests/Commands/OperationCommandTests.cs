@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Operations;
 using Engraver.Workbench.Commands;
@@ -125,6 +126,48 @@ public class OperationCommandTests
         await talk.TypeAsync("OPERATION", "LO", CommandTestSession.Sample("operation-plate.operations.json"), "QSAVE");
         Assert.True(!(await File.ReadAllTextAsync(beside)).Contains("wobble", StringComparison.Ordinal), talk.Said);
     }
+
+    /// <summary>The outline of the plate is a rectangle from 0, 0 to 90, 60.</summary>
+    [Fact]
+    public async Task Starts_are_picked_replaced_and_undone()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "New", "R", "CUT", "3", "3", "4");
+        await talk.TypeAsync("OPERATION", "STart", "o1", "20,0", "200,200", "40,61", "");
+        Assert.Contains("No closed contour of the operation is near this place.", talk.Said, StringComparison.Ordinal);
+        Assert.Equal([new Point2D(40.0, 61.0)], Plan(talk)!.Operations[0].StartAt); // the new start replaces the first one
+        var outline = JobPreparation.Prepare(talk.State.Drawing!, talk.State.Settings, MotionStyle.Continuous).Toolpath.Strokes[^1];
+        Assert.Equal((40.0, 61.5), (Math.Round(outline.Start.X, 6), Math.Round(outline.Start.Y, 6)));
+        await talk.TypeAsync("OPERATION", "STart", "o1", "68,22", "", "U");
+        Assert.Single(Plan(talk)!.Operations[0].StartAt);
+        await talk.TypeAsync("OPERATION", "STart", "o1", "C", "");
+        Assert.Empty(Plan(talk)!.Operations[0].StartAt);
+        await talk.TypeAsync("OPERATION", "New", "E", "*", "3", "0.2", "OPERATION", "STart", "o2");
+        Assert.Contains("Operation o2 is not a profile", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Tabs_are_added_moved_removed_and_undone()
+    {
+        await using var talk = await PlateAsync();
+        await talk.TypeAsync("OPERATION", "New", "R", "CUT", "3", "3", "4");
+        await talk.TypeAsync("OPERATION", "TAbs", "o1", "20,0", "3", "1", "200,200", "60,60", "");
+        Assert.Contains("There is no room for a tab near this place.", talk.Said, StringComparison.Ordinal);
+        Assert.Equal(["20 -1.5", "60 61.5"], Tabs(talk));
+        await talk.TypeAsync("OPERATION", "TAbs", "o1", "Move", "62,55", "70,60", "Remove", "20,0", "");
+        Assert.Equal(["70 61.5"], Tabs(talk));
+        await talk.TypeAsync("U");
+        Assert.Equal(["20 -1.5", "60 61.5"], Tabs(talk));
+
+        // Tabs by number remain where they are when one of them is removed.
+        await talk.TypeAsync("OPERATION", "Edit", "o1", "tabs", """{"count": 4, "width": 3, "height": 1}""");
+        var before = JobPreparation.To<Engraver.Workbench.Stages.OrderedJob>(talk.State.Drawing!, talk.State.Settings).Places[0].Tabs;
+        await talk.TypeAsync("OPERATION", "TAbs", "o1", "Remove", FormattableString.Invariant($"{before[0].X},{before[0].Y}"), "");
+        Assert.Equal(before.Skip(1), JobPreparation.To<Engraver.Workbench.Stages.OrderedJob>(talk.State.Drawing!, talk.State.Settings).Places[0].Tabs);
+        Assert.Null(Plan(talk)!.Operations[0].Tabs!.Count);
+    }
+
+    private static IEnumerable<string> Tabs(CommandTestSession talk) => Plan(talk)!.Operations[0].Tabs!.At.Select(place => FormattableString.Invariant($"{Math.Round(place.X, 6)} {Math.Round(place.Y, 6)}")).Order(StringComparer.Ordinal);
 
     private static OperationPlan? Plan(CommandTestSession talk) => talk.State.Settings.Operations;
 

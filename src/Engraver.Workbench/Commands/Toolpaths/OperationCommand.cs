@@ -18,7 +18,7 @@ internal sealed class OperationCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var plan = context.Document.Current.Settings.Operations;
-        var words = plan is null ? Keyword.List("LOad", "New") : Keyword.List("SHow", "LOad", "Save", "New", "Edit", "SWitch", "Move", "Delete", "Tool", "cleaR");
+        var words = plan is null ? Keyword.List("LOad", "New") : Keyword.List("SHow", "LOad", "Save", "New", "Edit", "SWitch", "Move", "Delete", "STart", "TAbs", "Tool", "cleaR");
         switch (await context.ChoiceAsync(Wording.Get("Operation.EnterOption"), words, plan is null ? "LOad" : "SHow").ConfigureAwait(false))
         {
             case "LOad":
@@ -47,6 +47,12 @@ internal sealed class OperationCommand : ICommand
             case "Delete":
                 var deleted = await OperationAsync(context, plan!).ConfigureAwait(false);
                 Commit(context, plan!.Operations.Count == 1 ? null : OperationEdits.Deleted(plan, deleted.Id));
+                break;
+            case "STart":
+                if (await PicksAsync(context, plan!).ConfigureAwait(false) is var starting && await starting.StartsAsync(plan!).ConfigureAwait(false) is { } started) Commit(context, started);
+                break;
+            case "TAbs":
+                if (await PicksAsync(context, plan!).ConfigureAwait(false) is var tabbing && await tabbing.TabsAsync(plan!).ConfigureAwait(false) is { } tabbed) Commit(context, tabbed);
                 break;
             case "Tool":
                 await ToolAsync(context).ConfigureAwait(false);
@@ -98,14 +104,22 @@ internal sealed class OperationCommand : ICommand
         context.Commit(state with { Settings = state.Settings with { Tool = number } });
     }
 
+    /// <exception cref="CommandException">The operation is not a profile.</exception>
+    private static async Task<OperationPicks> PicksAsync(CommandContext context, OperationPlan plan)
+    {
+        var operation = await OperationAsync(context, plan, plan.Operations.FirstOrDefault(one => one.Kind == OperationKind.Profile)).ConfigureAwait(false);
+        return operation.Kind == OperationKind.Profile ? new OperationPicks(context, operation.Id) : throw new CommandException(CommandFailure.Usage, Wording.Get("Operation.NotAProfile", operation.Id));
+    }
+
     private static async Task<int> WholeAsync(CommandContext context, string instruction, int most) =>
         (int)await context.ValueAsync(new NumberPrompt(Wording.Get(instruction)) { Min = 1, Max = most, IsInteger = true, Default = "1" }).ConfigureAwait(false);
 
     /// <summary>Asks for an operation by its id or name.</summary>
+    /// <param name="usual">The default; null for the first one.</param>
     /// <exception cref="CommandException">There is no such operation.</exception>
-    private static async Task<Operation> OperationAsync(CommandContext context, OperationPlan plan)
+    private static async Task<Operation> OperationAsync(CommandContext context, OperationPlan plan, Operation? usual = null)
     {
-        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Operation.EnterId")) { Default = plan.Operations[0].Id }).ConfigureAwait(false);
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Operation.EnterId")) { Default = (usual ?? plan.Operations[0]).Id }).ConfigureAwait(false);
         return plan.Operations.FirstOrDefault(one => one.Id == typed) ?? plan.Operations.FirstOrDefault(one => string.Equals(one.Name, typed, StringComparison.OrdinalIgnoreCase))
             ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Operation.NotFound", typed, string.Join(", ", plan.Operations.Select(one => one.Id))));
     }
