@@ -58,11 +58,15 @@ public static class OperationRules
 
     public static readonly DiagnosticRule TabUnplaced = new("OPR0052", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule OvercutShortened = new("OPR0053", Severity.Warning, "operation", "count", "x", "y");
+
+    public static readonly DiagnosticRule NoRamp = new("OPR0054", Severity.Warning, "operation", "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged,
-        StartUnused, NoCorner, TabUnplaced,
+        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
     ];
 }

@@ -6,6 +6,6 @@ public enum LeadShape
     /// <summary>A quarter of a circle that ends in the direction of the contour.</summary>
     Arc,
 
-    /// <summary>A line at right angles to the contour.</summary>
+    /// <summary>A straight line.</summary>
     Line,
 }

@@ -68,6 +68,9 @@ public sealed record Operation
     /// <summary>Distance of the lines of a fill, mm; 0 for another kind.</summary>
     public double Spacing { get; init; }
 
+    /// <summary>Lines of a fill.</summary>
+    public FillPattern Pattern { get; init; }
+
     /// <summary>A fill has a second set of lines at right angles to the first.</summary>
     public bool IsCross { get; init; }
 
@@ -89,10 +92,16 @@ public sealed record Operation
     /// <summary>A drill takes circles up to this diameter only; null: every circle.</summary>
     public double? MaxDiameter { get; init; }
 
-    /// <summary>How a closed profile is entered; null: straight down on the contour.</summary>
+    /// <summary>Angle at which the tool descends along a stroke to the depth of a pass, degrees; null: straight down.</summary>
+    public double? RampDegrees { get; init; }
+
+    /// <summary>Length by which a closed profile is cut beyond its start, mm.</summary>
+    public double Overcut { get; init; }
+
+    /// <summary>How a profile is entered; null: straight down on the contour.</summary>
     public LeadMove? LeadIn { get; init; }
 
-    /// <summary>How a closed profile is left; null: straight up.</summary>
+    /// <summary>How a profile is left; null: straight up.</summary>
     public LeadMove? LeadOut { get; init; }
 
     /// <summary>Where a closed profile starts.</summary>

@@ -18,49 +18,58 @@ public static class OperationCheck
     private const double LengthRounding = 1e-6;
 
     /// <param name="shapes">The shapes in the order of the operations.</param>
+    /// <param name="contours">Contours from which leads keep away.</param>
     /// <param name="toolpath">The path of the whole job.</param>
     /// <param name="strokes">Operation and pass of each of its strokes.</param>
     /// <returns>Empty when the path is as stated.</returns>
-    public static IReadOnlyList<Diagnostic> Findings(IReadOnlyList<ShapedOperation> shapes, Toolpath toolpath, IReadOnlyList<StrokePass> strokes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
+    public static IReadOnlyList<Diagnostic> Findings(IReadOnlyList<ShapedOperation> shapes, IReadOnlyList<Segment> contours, Toolpath toolpath, IReadOnlyList<StrokePass> strokes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
         ArgumentNullException.ThrowIfNull(shapes);
         ArgumentNullException.ThrowIfNull(toolpath);
         ArgumentNullException.ThrowIfNull(strokes);
         var findings = new List<Diagnostic>();
-        var own = toolpath.Strokes.Zip(strokes).ToLookup(pair => pair.Second.Operation.Id, pair => (Stroke: pair.First, pair.Second.Pass));
+        var leads = new LeadCheck(contours);
+        var own = toolpath.Strokes.Zip(strokes).ToLookup(pair => pair.Second.Operation.Id, pair => (Stroke: pair.First, Pass: pair.Second));
         foreach (var shape in shapes)
         {
-            var passes = own[shape.Operation.Id].GroupBy(stroke => stroke.Pass, stroke => stroke.Stroke).OrderBy(pass => pass.Key).Select(pass => pass.ToList()).ToList();
-            if (passes.SelectMany(pass => pass).FirstOrDefault(stroke => (stroke.PierceSeconds, stroke.DwellSeconds) != (shape.Operation.PierceSeconds, shape.Operation.DwellSeconds)) is { } unlike) findings.Add(NotAsStated(shape, "wait", unlike.Start));
-            findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, passes) : PassFindings(shape, passes, tolerances, sourceOf));
+            var passes = own[shape.Operation.Id].GroupBy(stroke => stroke.Pass.Pass, stroke => (stroke.Stroke, Index: stroke.Pass.Stroke)).OrderBy(pass => pass.Key).Select(pass => pass.ToList()).ToList();
+            if (passes.SelectMany(pass => pass).Select(stroke => stroke.Stroke).FirstOrDefault(stroke => (stroke.PierceSeconds, stroke.DwellSeconds) != (shape.Operation.PierceSeconds, shape.Operation.DwellSeconds)) is { } unlike) findings.Add(NotAsStated(shape, "wait", unlike.Start));
+            findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, [.. passes.Select(pass => pass.ConvertAll(stroke => stroke.Stroke))]) : PassFindings(shape, leads, passes, tolerances, sourceOf));
         }
 
         return findings;
     }
 
-    private static IEnumerable<Diagnostic> PassFindings(ShapedOperation shape, List<List<ToolpathStroke>> passes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
+    private static IEnumerable<Diagnostic> PassFindings(ShapedOperation shape, LeadCheck leads, List<List<(ToolpathStroke Stroke, int Index)>> passes, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
         if (shape.Path.Count == 0) yield break;
-        if (DepthFault(shape.Operation, [.. passes.Select(pass => -pass[0].Moves[0].StartZ)]) is { } fault) yield return NotAsStated(shape, fault, passes.Count > 0 ? passes[0][0].Start : default);
-        var tabs = new TabCheck(shape);
-        foreach (var pass in passes)
+        List<double> levels = [-shape.Operation.StartDepth, .. passes.Select(pass => LevelOf(pass[0].Stroke))];
+        if (DepthFault(shape.Operation, [.. levels.Skip(1).Select(level => -level)]) is { } fault) yield return NotAsStated(shape, fault, passes.Count > 0 ? passes[0][0].Stroke.Start : default);
+        List<double> falls = [.. levels.Zip(levels.Skip(1), (before, level) => before - level)];
+        var (tabs, descents) = (new TabCheck(shape), new DescentCheck(shape.Operation, tolerances.MaxError));
+        for (var pass = 0; pass < passes.Count; pass++)
         {
-            var level = pass[0].Moves[0].StartZ;
-            foreach (var stroke in pass)
+            var (before, level) = (levels[pass], levels[pass + 1]);
+            var contours = new List<ToolpathStroke>();
+            foreach (var pieces in passes[pass].GroupBy(stroke => stroke.Index, stroke => stroke.Stroke).Select(group => group.ToList()))
             {
-                if (stroke.Moves.Any(move => move.Role != StrokeRole.Tab && (move.StartZ != level || move.EndZ != level))) yield return NotAsStated(shape, "depth", stroke.Start);
-                if (tabs.IsFault(stroke, OfContour(stroke), level)) yield return NotAsStated(shape, "tab", stroke.Start);
-                if (DirectionFault(shape.Operation, stroke, pass)) yield return NotAsStated(shape, "direction", stroke.Start);
+                var contour = new StrokeContour(shape, pieces);
+                if (pieces.SelectMany(piece => piece.Moves).Any(move => move.Role == StrokeRole.Cut && (move.StartZ != level || move.EndZ != level)) || pieces[^1].Moves[^1] is { Role: StrokeRole.Lead } last && (last.StartZ != level || last.EndZ != level)) yield return NotAsStated(shape, "depth", pieces[0].Start);
+                if (contour.Stroke.Moves.Count == 0) continue;
+                contours.Add(contour.Stroke);
+                if (tabs.IsFault(pieces, contour, level, falls)) yield return NotAsStated(shape, "tab", pieces[0].Start);
+                if (descents.IsFault(pieces[0], contour.Stroke.Moves, before, level)) yield return NotAsStated(shape, "ramp", pieces[0].Start);
+                if (contour.HasOvercutFault(shape.Operation.Overcut)) yield return NotAsStated(shape, "overcut", pieces[0].Start);
+                if (leads.Fault(pieces.SelectMany(piece => piece.Moves), (shape.Part.Tool.Diameter / 2.0) + shape.Operation.Stock, tolerances.MaxError) is { } place) yield return NotAsStated(shape, "lead", place);
             }
 
-            foreach (var finding in ToolpathCheck.Findings(shape.Path, new Toolpath(default, [.. pass.Select(OfContour)]), tolerances, sourceOf)) yield return finding;
+            foreach (var stroke in contours.Where(stroke => DirectionFault(shape.Operation, stroke, contours))) yield return NotAsStated(shape, "direction", stroke.Start);
+            foreach (var finding in ToolpathCheck.Findings(shape.Path, new Toolpath(default, contours), tolerances, sourceOf)) yield return finding;
         }
     }
 
-    /// <summary>The stroke without its leads and without the moves straight up and down at its tabs.</summary>
-    private static ToolpathStroke OfContour(ToolpathStroke stroke) => stroke.Moves.All(move => move.Role == StrokeRole.Cut)
-        ? stroke
-        : stroke with { Moves = [.. stroke.Moves.Where(move => move.Role != StrokeRole.Lead && move.Segment.Length > 0.0)] };
+    /// <summary>Height of the first move that cuts the contour.</summary>
+    private static double LevelOf(ToolpathStroke stroke) => stroke.Moves.FirstOrDefault(move => move.Role == StrokeRole.Cut, stroke.Moves[0]).StartZ;
 
     /// <summary>The fault of a list of depths; null when they are those of the operation: equal steps to the depth that is left for the last pass, as few as
     /// the depth of a pass allows, and then the depth itself as often as it is repeated.</summary>
@@ -87,9 +96,8 @@ public static class OperationCheck
     private static bool DirectionFault(Operation operation, ToolpathStroke stroke, List<ToolpathStroke> pass)
     {
         if (operation is not { Kind: OperationKind.Profile, Direction: not CutDirection.Any, Side: ProfileSide.Nesting or ProfileSide.Outside or ProfileSide.Inside }) return false;
-        stroke = OfContour(stroke);
         if (!stroke.Start.IsNear(stroke.End, LengthRounding)) return false;
-        var around = pass.Select(OfContour).Count(other => other.Moves[0].Segment != stroke.Moves[0].Segment && Turns(other, stroke.Start) != 0);
+        var around = pass.Count(other => other.Moves[0].Segment != stroke.Moves[0].Segment && Turns(other, stroke.Start) != 0);
         var isOutside = operation.Side == ProfileSide.Outside || (operation.Side == ProfileSide.Nesting && around % 2 == 0);
         var isClockwise = Total(stroke) < 0.0;
         return isClockwise != (isOutside == (operation.Direction == CutDirection.Climb));

@@ -27,15 +27,16 @@ public static class OperationFile
     private static readonly string[] s_toolFields = ["number", "name", "kind", "diameter", "angle", "flutes", "maxDepth", "feed", "plunge", "spindle"];
     private static readonly string[] s_materialFields = ["name", "feeds"];
     private static readonly string[] s_feedFields = ["tool", "feed", "plunge", "spindle"];
-    private static readonly string[] s_leadFields = ["shape", "radius", "length"];
+    private static readonly string[] s_leadFields = ["shape", "radius", "length", "direction"];
     private static readonly string[] s_startFields = ["rule", "at", "within"];
-    private static readonly string[] s_tabFields = ["count", "spacing", "at", "within", "width", "height"];
+    private static readonly string[] s_tabFields = ["count", "spacing", "at", "within", "width", "height", "shape", "angle"];
+    private static readonly string[] s_rampFields = ["angle"];
     private static readonly string[] s_selectFields = ["layers", "colours", "handles"];
 
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
-        "leadIn", "leadOut", "start", "tabs", "side", "spacing", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
+        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
     /// <summary>The fields that an operation of a kind may have, in the order in which they are described.</summary>
@@ -48,6 +49,7 @@ public static class OperationFile
         "direction" => OperationFields.WordsOf<CutDirection>(),
         "order" => OperationFields.WordsOf<PassOrder>(),
         "side" => OperationFields.WordsOf<ProfileSide>(),
+        "pattern" => OperationFields.WordsOf<FillPattern>(),
         "on" => ["true", "false"],
         "cross" or "zigzag" => ["false", "true"],
         _ => [],
@@ -219,6 +221,7 @@ public static class OperationFile
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
             Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,
             Spacing = of.Number("spacing", 0.0, 1e3, includesLowest: false) ?? 0.0,
+            Pattern = of.Choice<FillPattern>("pattern") ?? FillPattern.Lines,
             IsCross = of.Switch("cross", false),
             Inset = of.Number("inset", 0.0, 1e3, includesLowest: false),
             Stepover = of.Number("stepover", 0.0, 0.99, includesLowest: false) ?? 0.4,
@@ -230,6 +233,8 @@ public static class OperationFile
             MaxDiameter = of.Number("maxDiameter", 0.0, LargestLength, includesLowest: false),
             LeadIn = LeadOf(of, "leadIn", path, lines, findings),
             LeadOut = LeadOf(of, "leadOut", path, lines, findings),
+            Overcut = of.Number("overcut", 0.0, 1e3, includesLowest: false) ?? 0.0,
+            RampDegrees = RampOf(of, path, lines, findings),
             Start = start?.Choice<StartRule>("rule") ?? StartRule.Nearest,
             StartAt = start?.Places("at") ?? [],
             StartWithin = start is null ? Operation.PickedWithin : WithinOf(start),
@@ -252,13 +257,18 @@ public static class OperationFile
         }
 
         if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
-        if (operation is { Tabs: { } tabs, Depth: { } bottom } && tabs.Height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(tabs.Height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
+        if (operation is { Tabs.Height: { } height, Depth: { } bottom } && height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
+        foreach (var field in ((string[])["angle", "cross"]).Where(field => operation is { Kind: OperationKind.Fill, Pattern: FillPattern.Contour } && of.Has(field)))
+        {
+            of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
+        }
+
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
         }
 
-        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "tabs"])
+        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "ramp"])
         {
             if (of.Has(field) && operation.Depth is null) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
         }
@@ -266,8 +276,8 @@ public static class OperationFile
 
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
-        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("stepover", [OperationKind.Pocket]),
-        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
+        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
+        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];
 
@@ -282,19 +292,39 @@ public static class OperationFile
         if (lead.Choice<LeadShape>("shape") is not { } shape) return null;
         var (length, other) = shape == LeadShape.Arc ? ("radius", "length") : ("length", "radius");
         if (lead.Find(other) is { } wrong) lead.Invalid(lead.PathOf(other), OperationFields.Shown(wrong), Wording.Get("OperationFile.OnlyFor", shape == LeadShape.Arc ? OperationFields.WordOf(LeadShape.Line) : OperationFields.WordOf(LeadShape.Arc)));
+        if (shape == LeadShape.Arc && lead.Find("direction") is { } turned) lead.Invalid(lead.PathOf("direction"), OperationFields.Shown(turned), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(LeadShape.Line)));
         lead.Required(length);
-        return lead.Number(length, 0.0, 1e3, includesLowest: false) is { } value ? new LeadMove(shape, value) : null;
+        return lead.Number(length, 0.0, 1e3, includesLowest: false) is { } value ? new LeadMove(shape, value) { Direction = lead.Choice<LeadDirection>("direction") ?? LeadDirection.Perpendicular } : null;
     }
 
     private static PartTabs? TabsOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
     {
         if (Inner(of, "tabs", path, lines, s_tabFields, findings) is not { } tabs) return null;
-        foreach (var name in (string[])["width", "height"]) tabs.Required(name);
+        tabs.Required("width");
+        if (of.Has("depth")) tabs.Required("height");
+        else if (tabs.Find("height") is { } raised) tabs.Invalid(tabs.PathOf("height"), OperationFields.Shown(raised), Wording.Get("OperationFile.NeedsDepth"));
         if (!tabs.Has("spacing") && !tabs.Has("at")) tabs.Required("count");
         if (tabs.Find("spacing") is { } both && tabs.Has("count")) tabs.Invalid(tabs.PathOf("spacing"), OperationFields.Shown(both), Wording.Get("OperationFile.NotWith", CountField));
-        var (count, spacing, at) = (tabs.Whole("count", 1, 100), tabs.Number("spacing", 0.0, LargestLength, includesLowest: false), tabs.Places("at"));
-        if (tabs.Number("width", 0.0, 1e3, includesLowest: false) is not { } width || tabs.Number("height", 0.0, LargestLength, includesLowest: false) is not { } height) return null;
-        return new PartTabs(width, height) { Count = count, Spacing = spacing, At = at, Within = WithinOf(tabs) };
+        var shape = tabs.Choice<TabShape>("shape") ?? TabShape.Square;
+        if (shape == TabShape.Sloped && !of.Has("depth")) tabs.Invalid(tabs.PathOf("shape"), OperationFields.WordOf(shape), Wording.Get("OperationFile.NeedsDepth"));
+        if (tabs.Find("angle") is { } angle && shape != TabShape.Sloped) tabs.Invalid(tabs.PathOf("angle"), OperationFields.Shown(angle), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(TabShape.Sloped)));
+        if (tabs.Number("width", 0.0, 1e3, includesLowest: false) is not { } width) return null;
+        return new PartTabs(width, tabs.Number("height", 0.0, LargestLength, includesLowest: false))
+        {
+            Count = tabs.Whole("count", 1, 100),
+            Spacing = tabs.Number("spacing", 0.0, LargestLength, includesLowest: false),
+            At = tabs.Places("at"),
+            Within = WithinOf(tabs),
+            Shape = shape,
+            AngleDegrees = tabs.Number("angle", 1.0, 89.0, includesLowest: true) ?? PartTabs.UsualAngle,
+        };
+    }
+
+    private static double? RampOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
+    {
+        if (Inner(of, "ramp", path, lines, s_rampFields, findings) is not { } ramp) return null;
+        ramp.Required("angle");
+        return ramp.Number("angle", 0.5, 89.0, includesLowest: true);
     }
 
     /// <summary>How far places that were picked may be from their contours.</summary>

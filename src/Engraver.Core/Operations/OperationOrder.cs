@@ -42,8 +42,8 @@ public static class OperationOrder
         // A tool path meets exactly, and its segments may be shorter than the join tolerance.
         var exact = shape.Operation.Kind switch
         {
-            OperationKind.Profile => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = Math.Min(options.JoinTolerance, ExactJoint) },
-            OperationKind.Fill => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = 0.0 },
+            OperationKind.Fill when shape.Operation.Pattern == FillPattern.Lines => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = 0.0 },
+            OperationKind.Profile or OperationKind.Fill => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = Math.Min(options.JoinTolerance, ExactJoint) },
             _ => options,
         };
         var sequence = Sequencer.Sequence(shape.Path, drawing, exact);

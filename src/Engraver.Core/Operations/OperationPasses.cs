@@ -23,7 +23,8 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
     /// <param name="drawn">The drawing as contours, for its discontinuities.</param>
     /// <param name="contours">Contours from which leads keep away.</param>
     /// <param name="options">Start of the tool.</param>
-    public static OperationPasses Of(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, IReadOnlyList<Segment> contours, Drawing drawing, SequencingOptions options)
+    /// <param name="maxErrorMm">Largest distance of the chords of a slope from their arc, above 0.</param>
+    public static OperationPasses Of(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, IReadOnlyList<Segment> contours, Drawing drawing, SequencingOptions options, double maxErrorMm)
     {
         ArgumentNullException.ThrowIfNull(contours);
         ArgumentNullException.ThrowIfNull(ordered);
@@ -34,15 +35,14 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
         var parts = new PartClearance([.. contours]);
         foreach (var operation in ordered)
         {
-            var depths = operation.Shape.Operation.PassDepths();
-            var dressing = ProfileDressing.For(operation, parts);
-            foreach (var (stroke, pass) in InOrder(operation, depths.Count))
+            var steps = StrokeDressing.DepthSteps(operation.Shape.Operation).ToList();
+            var dressing = StrokeDressing.For(operation, parts, maxErrorMm);
+            foreach (var (stroke, pass) in InOrder(operation, steps.Count))
             {
-                var before = table.Count;
-                var isDressed = dressing?.Append(table, stroke, depths[pass]) == true;
-                if (!isDressed) Append(table, operation, operation.Strokes[stroke], depths[pass]);
-                var closed = operation.Strokes[stroke].Closed && (!isDressed || !dressing!.HasLeads(stroke));
-                cuts.Add((operation.Strokes[stroke] with { Closed = closed }, table.Count - before, new StrokePass(operation.Shape.Operation, stroke, pass, depths[pass])));
+                foreach (var (rows, closed) in dressing?.Append(table, stroke, steps[pass].Before, steps[pass].Depth) ?? [Append(table, operation, operation.Strokes[stroke], steps[pass].Depth)])
+                {
+                    cuts.Add((operation.Strokes[stroke] with { Closed = closed }, rows, new StrokePass(operation.Shape.Operation, stroke, pass, steps[pass].Depth)));
+                }
             }
 
             if (dressing is null) continue;
@@ -50,7 +50,7 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
             dressed.Add(dressing.Places);
         }
 
-        var places = cuts.Select((cut, index) => (cut.Pass.Operation, cut.Pass.Stroke, cut.Pass.Pass, index)).ToDictionary(cut => (cut.Operation.Id, cut.Stroke, cut.Pass), cut => cut.index);
+        var places = cuts.Select((cut, index) => (Key: (cut.Pass.Operation.Id, cut.Pass.Stroke, cut.Pass.Pass), index)).DistinctBy(cut => cut.Key).ToDictionary(cut => cut.Key, cut => cut.index);
         var (strokes, curves) = (new StrokeList(table, cuts.Count), new CurveCount(drawing));
         foreach (var (stroke, rows, pass) in cuts) strokes.Add(stroke.Closed, rows, stroke.Inside < 0 ? -1 : places[(pass.Operation.Id, stroke.Inside, pass.Pass)], curves);
         return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]) { Findings = findings, Places = dressed };
@@ -65,16 +65,19 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
             : Enumerable.Range(0, passes * strokes).Select(step => (step / passes, step % passes));
     }
 
-    private static void Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)
+    private static DressedPiece Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)
     {
+        var before = table.Count;
         if (operation.Shape.Operation.Kind == OperationKind.Drill)
         {
-            foreach (var (from, to) in DrillMoves(operation.Shape.Operation, depth)) AppendRow(table, operation.Path, stroke.FirstRow, -from, -to);
+            foreach (var (from, to) in DrillMoves(operation.Shape.Operation, depth)) OperationRows.Append(table, operation.Path, stroke.FirstRow, -from, -to);
         }
         else
         {
-            for (var row = stroke.FirstRow; row < stroke.FirstRow + stroke.Rows; row++) AppendRow(table, operation.Path, row, -depth, -depth);
+            for (var row = stroke.FirstRow; row < stroke.FirstRow + stroke.Rows; row++) OperationRows.Append(table, operation.Path, row, -depth, -depth);
         }
+
+        return new DressedPiece(table.Count - before, stroke.Closed);
     }
 
     /// <summary>Depths between which the tool moves straight up and down, after it has plunged to the surface.</summary>
@@ -89,13 +92,6 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
             yield return (top, next);
             reached = next;
         }
-    }
-
-    private static void AppendRow(EntityTable table, EntityTable from, int row, double start, double end)
-    {
-        var slots = OperationRows.AtHeight(from.CopySlots(row), start, end);
-        slots[EntitySlot.SequenceNumber] = table.Count + 1;
-        table.Append(slots, from.EntityIndexOf(row), from.CurveOf(row));
     }
 
     private static SequencingResult ResultOf(IReadOnlyList<OrderedOperation> ordered, ChainedTable drawn, EntityTable table, StrokeList strokes, SequencingOptions options)

@@ -12,4 +12,12 @@ internal static class OperationRows
         if (slots[EntitySlot.Radius] != 0.0) slots[EntitySlot.CentreZ] = start;
         return slots;
     }
+
+    /// <summary>Appends a row of a path at the height of a pass.</summary>
+    public static void Append(EntityTable table, EntityTable path, int row, double start, double end)
+    {
+        var slots = AtHeight(path.CopySlots(row), start, end);
+        slots[EntitySlot.SequenceNumber] = table.Count + 1;
+        table.Append(slots, path.EntityIndexOf(row), path.CurveOf(row));
+    }
 }

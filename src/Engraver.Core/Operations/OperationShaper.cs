@@ -78,7 +78,7 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         return new ShapedOperation(part, path, strokes)
         {
             Findings = [.. chained.Diagnostics, .. findings[false].Where(finding => finding.Rule != PocketRules.WithoutInside)],
-            Faults = [.. findings[true], .. unresolved.Select(place => KerfRules.NotCompensated.At(default, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place }), .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
+            Faults = [.. findings[true], .. unresolved.Select(NotCompensated), .. chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour))],
         };
     }
 
@@ -94,25 +94,39 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         if (closed.Count == 0 || faults.Count > 0) return new ShapedOperation(part, path, null) { Findings = chained.Diagnostics, Faults = faults };
         var box = chained.Segments.ToArray().Aggregate(Bounds2D.Empty, (bounds, segment) => bounds.Union(segment.Bounds));
         if ((box.Width + box.Height) / operation.Spacing > MostLines) return new ShapedOperation(part, path, null) { Faults = [OperationRules.ValueInvalid.At(default, "spacing", FactText.Of(operation.Spacing), FactText.Of((box.Width + box.Height) / MostLines))] };
-        var inset = operation.Inset ?? (part.Tool.Diameter / 2.0);
-        var reduced = ContourOffset.Offset(closed, inset, OffsetSide.In, OffsetOptions.Round(maxErrorMm));
-        faults.AddRange(reduced.Unresolved.Select(place => KerfRules.NotCompensated.At(default, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place }));
-        List<PathPiece> loops = [.. reduced.Loops.SelectMany(loop => loop.Segments).Where(segment => segment.Length > 0.0).Select(segment => PathPiece.FromSegment(segment))];
-        var (entities, clearance) = (new NearestEntity(chained.Kept), new PartClearance(chained.Segments.ToArray()));
-        foreach (var angle in operation.IsCross ? (double[])[operation.AngleDegrees, operation.AngleDegrees + 90.0] : [operation.AngleDegrees])
+        if (operation.Pattern == FillPattern.Contour && Math.Min(box.Width, box.Height) / operation.Spacing > 2.0 * FillContour.Most) return new ShapedOperation(part, path, null) { Faults = [OperationRules.ValueInvalid.At(default, "spacing", FactText.Of(operation.Spacing), FactText.Of(Math.Min(box.Width, box.Height) / (2.0 * FillContour.Most)))] };
+        var (entities, clearance, inset) = (new NearestEntity(chained.Kept), new PartClearance(chained.Segments.ToArray()), operation.Inset ?? (part.Tool.Diameter / 2.0));
+        foreach (var (line, distance) in operation.Pattern == FillPattern.Contour ? Contours(operation, closed, inset, faults) : Rows(operation, closed, inset, faults))
         {
-            foreach (var row in ZigzagRows.Across(loops, Angle.FromDegrees(angle), operation.Spacing))
-            {
-                var line = row.Piece.ToSegment();
-                path.Append(EntitySlots.Of(line, 0.0), entities.Of(line.Start), null);
-                if (((Point2D[])[line.Start, line.PointAt(0.5), line.End]).Any(place => clearance.At(place) < inset - (2.0 * maxErrorMm))) faults.Add(OperationRules.NotAsStated.At(default, operation.Title, Wording.Get("OperationCheck.line"), FactText.Of(line.Start.X), FactText.Of(line.Start.Y)) with { Place = line.Start });
-            }
+            path.Append(EntitySlots.Of(line, 0.0), entities.Of(line.Start), null);
+            var isParallel = operation.Pattern == FillPattern.Contour;
+            if (((Point2D[])[line.Start, line.PointAt(0.5), line.End]).Any(place => clearance.At(place) < distance - (2.0 * maxErrorMm) || (isParallel && clearance.At(place) > distance + (2.0 * maxErrorMm)))) faults.Add(OperationRules.NotAsStated.At(default, operation.Title, Wording.Get("OperationCheck.line"), FactText.Of(line.Start.X), FactText.Of(line.Start.Y)) with { Place = line.Start });
         }
 
         List<Diagnostic> findings = [.. chained.Diagnostics];
         if (NotFilled(chained, path) is { Count: > 0 } empty) findings.Add(OperationRules.NotFilled.At(default, operation.Title, FactText.Of(empty.Count), FactText.Of(empty[0].X), FactText.Of(empty[0].Y)) with { Place = empty[0] });
         return new ShapedOperation(part, path, null) { Findings = findings, Faults = faults };
     }
+
+    /// <summary>Straight lines of a fill, with their least distance from the contours.</summary>
+    private IEnumerable<(Segment Line, double Distance)> Rows(Operation operation, IReadOnlyList<OffsetContour> closed, double inset, List<Diagnostic> faults)
+    {
+        var reduced = ContourOffset.Offset(closed, inset, OffsetSide.In, OffsetOptions.Round(maxErrorMm));
+        faults.AddRange(reduced.Unresolved.Select(NotCompensated));
+        List<PathPiece> loops = [.. reduced.Loops.SelectMany(loop => loop.Segments).Where(segment => segment.Length > 0.0).Select(segment => PathPiece.FromSegment(segment))];
+        return (operation.IsCross ? (double[])[operation.AngleDegrees, operation.AngleDegrees + 90.0] : [operation.AngleDegrees])
+            .SelectMany(angle => ZigzagRows.Across(loops, Angle.FromDegrees(angle), operation.Spacing)).Select(row => (row.Piece.ToSegment(), inset));
+    }
+
+    /// <summary>Lines of a fill parallel to the contours, with their distance from these.</summary>
+    private IEnumerable<(Segment Line, double Distance)> Contours(Operation operation, IReadOnlyList<OffsetContour> closed, double inset, List<Diagnostic> faults)
+    {
+        var lines = FillContour.Of(closed, inset, operation.Spacing, maxErrorMm, out var unresolved);
+        faults.AddRange(unresolved.Select(NotCompensated));
+        return lines.SelectMany(line => line.Segments.Select(segment => (segment, line.Distance)));
+    }
+
+    private static Diagnostic NotCompensated(Point2D place) => KerfRules.NotCompensated.At(default, FactText.Of(place.X), FactText.Of(place.Y)) with { Place = place };
 
     /// <summary>Starts of the contours that should be filled and have no line in them: they are too narrow for the inset or the spacing.</summary>
     private static List<Point2D> NotFilled(ChainedTable chained, EntityTable path)

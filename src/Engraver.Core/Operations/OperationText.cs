@@ -70,6 +70,8 @@ internal static class OperationText
         if (operation.Kind == OperationKind.Fill) WriteFill(writer, operation);
         Write(writer, "leadIn", operation.LeadIn);
         Write(writer, "leadOut", operation.LeadOut);
+        WriteNumber(writer, "overcut", operation.Overcut == 0.0 ? null : operation.Overcut);
+        WriteRamp(writer, operation.RampDegrees);
         WriteStart(writer, operation);
         if (operation.Tabs is { } tabs) Write(writer, tabs);
         WriteNumber(writer, "peck", operation.Peck);
@@ -85,6 +87,7 @@ internal static class OperationText
         writer.WriteStartObject(name);
         writer.WriteString("shape", OperationFields.WordOf(lead.Shape));
         writer.WriteNumber(lead.Shape == LeadShape.Arc ? "radius" : "length", lead.Length);
+        if (lead.Direction != LeadDirection.Perpendicular) writer.WriteString("direction", OperationFields.WordOf(lead.Direction));
         writer.WriteEndObject();
     }
 
@@ -96,7 +99,17 @@ internal static class OperationText
         if (tabs is { At.Count: 0, Count: null, Spacing: null }) WriteEmpty(writer);
         Write(writer, tabs.At, tabs.Within);
         writer.WriteNumber("width", tabs.Width);
-        writer.WriteNumber("height", tabs.Height);
+        WriteNumber(writer, "height", tabs.Height);
+        if (tabs.Shape != TabShape.Square) writer.WriteString("shape", OperationFields.WordOf(tabs.Shape));
+        WriteNumber(writer, "angle", tabs.AngleDegrees == PartTabs.UsualAngle ? null : tabs.AngleDegrees);
+        writer.WriteEndObject();
+    }
+
+    private static void WriteRamp(Utf8JsonWriter writer, double? degrees)
+    {
+        if (degrees is not { } angle) return;
+        writer.WriteStartObject("ramp");
+        writer.WriteNumber("angle", angle);
         writer.WriteEndObject();
     }
 
@@ -136,8 +149,9 @@ internal static class OperationText
     private static void WriteFill(Utf8JsonWriter writer, Operation operation)
     {
         writer.WriteNumber("spacing", operation.Spacing);
-        writer.WriteBoolean("cross", operation.IsCross);
-        writer.WriteNumber("angle", operation.AngleDegrees);
+        if (operation.Pattern != FillPattern.Lines) writer.WriteString("pattern", OperationFields.WordOf(operation.Pattern));
+        if (operation.Pattern == FillPattern.Lines) writer.WriteBoolean("cross", operation.IsCross);
+        if (operation.Pattern == FillPattern.Lines) writer.WriteNumber("angle", operation.AngleDegrees);
         WriteNumber(writer, "inset", operation.Inset);
     }
 

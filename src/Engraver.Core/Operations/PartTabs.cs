@@ -4,9 +4,12 @@ namespace Engraver.Core.Operations;
 
 /// <summary>Bridges of material that hold a part until it is taken out: the tool rises over them in the deepest passes.</summary>
 /// <param name="Width">Of the material that remains, mm.</param>
-/// <param name="Height">Above the final depth, mm.</param>
-public sealed record PartTabs(double Width, double Height)
+/// <param name="Height">Above the final depth, mm; null for a tool without an axis: it is off over the tab in every pass.</param>
+public sealed record PartTabs(double Width, double? Height)
 {
+    /// <summary>Angle of slopes unless stated otherwise, degrees.</summary>
+    public const double UsualAngle = 45.0;
+
     /// <summary>Number of tabs of each contour, at least 1; null when <see cref="Spacing"/> determines it, or without such tabs.</summary>
     public int? Count { get; init; }
 
@@ -19,6 +22,14 @@ public sealed record PartTabs(double Width, double Height)
 
     /// <summary>Largest distance of a tab from its picked place, mm.</summary>
     public double Within { get; init; } = Operation.PickedWithin;
+
+    public TabShape Shape { get; init; }
+
+    /// <summary>Angle of the slopes of <see cref="TabShape.Sloped"/>, degrees.</summary>
+    public double AngleDegrees { get; init; } = UsualAngle;
+
+    /// <summary>Rise of the tool beside a tab for each millimetre; infinite for straight up.</summary>
+    public double Slope => Shape == TabShape.Sloped ? Math.Tan(AngleDegrees * Math.PI / 180.0) : double.PositiveInfinity;
 
     /// <summary>Number of tabs on a contour, besides those picked by hand.</summary>
     /// <param name="length">Length of its path, mm.</param>

@@ -20,8 +20,10 @@ internal sealed class TabPlaces
 
     /// <param name="stroke">Lines and arcs of a closed stroke from its start.</param>
     /// <param name="byHand">Picked places of this stroke.</param>
-    /// <param name="span">Length of path of a tab: its width and the diameter of the tool.</param>
-    public TabPlaces(PartTabs tabs, IReadOnlyList<Segment> stroke, IEnumerable<Point2D> byHand, double span)
+    /// <param name="span">Length of path of a tab: its width, the diameter of the tool, and its slopes.</param>
+    /// <param name="freeAtStart">Length of path from the start that has no tabs.</param>
+    /// <param name="freeAtEnd">Length of path to the end that has no tabs.</param>
+    public TabPlaces(PartTabs tabs, IReadOnlyList<Segment> stroke, IEnumerable<Point2D> byHand, double span, double freeAtStart, double freeAtEnd)
     {
         _span = span;
         var whole = 0.0;
@@ -32,6 +34,7 @@ internal sealed class TabPlaces
             whole += segment.Length;
         }
 
+        _ranges = [.. _ranges.Select(range => (Math.Max(range.From, freeAtStart + (FromEnds * span)), Math.Min(range.To, whole - freeAtEnd - (FromEnds * span)))).Where(range => range.Item1 <= range.Item2)];
         foreach (var place in byHand)
         {
             if (!Place(AlongOf(stroke, place), tabs.Within)) _unplaced.Add(place);

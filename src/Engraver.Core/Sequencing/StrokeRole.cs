@@ -11,4 +11,7 @@ public enum StrokeRole : byte
 
     /// <summary>It leaves a tab, or moves up to it or down from it.</summary>
     Tab,
+
+    /// <summary>It descends along the path to the depth of its pass.</summary>
+    Ramp,
 }

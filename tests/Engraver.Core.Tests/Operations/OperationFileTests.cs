@@ -18,10 +18,12 @@ public class OperationFileTests
               "operations": [
                 { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
                   "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
-                  "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
-                { "id": "o5", "kind": "profile", "select": "rest", "tool": 3, "depth": 3, "start": { "rule": "corner" }, "tabs": { "spacing": 50, "width": 3, "height": 1 } },
+                  "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5, "direction": "tangential" }, "overcut": 2.5, "ramp": { "angle": 4 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
+                { "id": "o5", "kind": "profile", "select": "rest", "tool": 3, "depth": 3, "start": { "rule": "corner" }, "tabs": { "spacing": 50, "width": 3, "height": 1, "shape": "sloped", "angle": 30 } },
+                { "id": "o6", "kind": "profile", "select": "rest", "tool": 3, "tabs": { "count": 2, "width": 3 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
                 { "id": "o4", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "angle": 45, "cross": true, "inset": 0.1, "pierce": 1.5 },
+                { "id": "o7", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "pattern": "contour" },
                 { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, "dwell": 0.5, }
               ] }
             """);
@@ -31,14 +33,17 @@ public class OperationFileTests
         Assert.Equal(("CUT", "1 FF0000", "1A"), (outline.Select.Layers[0], string.Join(' ', outline.Select.Colours), outline.Select.Handles[0]));
         Assert.Equal((500.0, 150.0, 9000.0, 0.5, 3.0, 1.0, 0.2, 0.1, 2), (outline.Feed!.Value, outline.Plunge!.Value, outline.Spindle!.Value, outline.StartDepth, outline.Depth!.Value, outline.DepthPerPass!.Value, outline.Finish, outline.Stock, outline.Repeats));
         Assert.Equal((CutDirection.Climb, PassOrder.Level), (outline.Direction, outline.Order));
-        Assert.Equal((new LeadMove(LeadShape.Arc, 2.0), new LeadMove(LeadShape.Line, 1.5), StartRule.Top, new PartTabs(3.0, 1.0) { Count = 4, Within = 2.0, At = s_none }), (outline.LeadIn!, outline.LeadOut!, outline.Start, outline.Tabs! with { At = s_none }));
+        Assert.Equal((new LeadMove(LeadShape.Arc, 2.0), new LeadMove(LeadShape.Line, 1.5) { Direction = LeadDirection.Tangential }, StartRule.Top, new PartTabs(3.0, 1.0) { Count = 4, Within = 2.0, At = s_none }), (outline.LeadIn!, outline.LeadOut!, outline.Start, outline.Tabs! with { At = s_none }));
         Assert.Equal([new Point2D(1.0, 2.0), new Point2D(3.5, -4.0), new Point2D(5.0, 6.0)], [.. outline.StartAt, .. outline.Tabs!.At]);
         Assert.Equal(3.0, outline.StartWithin);
+        Assert.Equal((2.5, 4.0, 0.0, null), (outline.Overcut, outline.RampDegrees!.Value, plan.Operations[1].Overcut, plan.Operations[1].RampDegrees));
+        Assert.Equal((TabShape.Sloped, 30.0, TabShape.Square, null), (plan.Operations[1].Tabs!.Shape, plan.Operations[1].Tabs!.AngleDegrees, outline.Tabs.Shape, plan.Operations[2].Tabs!.Height));
         Assert.Equal((StartRule.Corner, 50.0, null), (plan.Operations[1].Start, plan.Operations[1].Tabs!.Spacing!.Value, plan.Operations[1].Tabs!.Count));
-        Assert.Equal((true, 0.3, true, 30.0), (plan.Operations[2].Select.IsRest, plan.Operations[2].Stepover, plan.Operations[2].IsZigzag, plan.Operations[2].AngleDegrees));
-        Assert.Equal((2.0, 4.0), (plan.Operations[4].Peck!.Value, plan.Operations[4].MaxDiameter!.Value));
-        Assert.Equal((0.5, 45.0, true, 0.1), (plan.Operations[3].Spacing, plan.Operations[3].AngleDegrees, plan.Operations[3].IsCross, plan.Operations[3].Inset!.Value));
-        Assert.Equal((1.5, 0.5), (plan.Operations[3].PierceSeconds, plan.Operations[4].DwellSeconds));
+        Assert.Equal((true, 0.3, true, 30.0), (plan.Operations[3].Select.IsRest, plan.Operations[3].Stepover, plan.Operations[3].IsZigzag, plan.Operations[3].AngleDegrees));
+        Assert.Equal((2.0, 4.0), (plan.Operations[6].Peck!.Value, plan.Operations[6].MaxDiameter!.Value));
+        Assert.Equal((0.5, 45.0, true, 0.1), (plan.Operations[4].Spacing, plan.Operations[4].AngleDegrees, plan.Operations[4].IsCross, plan.Operations[4].Inset!.Value));
+        Assert.Equal((FillPattern.Contour, FillPattern.Lines), (plan.Operations[5].Pattern, plan.Operations[4].Pattern));
+        Assert.Equal((1.5, 0.5), (plan.Operations[4].PierceSeconds, plan.Operations[6].DwellSeconds));
         var tool = plan.ToolOf(outline);
         Assert.Equal(("End mill", ToolKind.Endmill, 3.0, 2, 9.0, 600.0, 200.0, 12000.0), (tool.Name, tool.Kind, tool.Diameter, tool.Flutes!.Value, tool.MaxDepth!.Value, tool.Feed!.Value, tool.Plunge!.Value, tool.Spindle!.Value));
         Assert.Equal((ToolKind.Drill, 118.0), (plan.Tools[1].Kind, plan.Tools[1].AngleDegrees!.Value));
@@ -69,6 +74,15 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "on": "yes" }""", "OPR0003", "operations[0].on", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }, { "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }""", "OPR0003", "operations", 2)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "length": 2} }""", "OPR0004", "operations[0].leadIn.radius", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "direction": "tangential"} }""", "OPR0003", "operations[0].leadIn.direction", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "ramp": {"angle": 3} }""", "OPR0003", "operations[0].ramp", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "ramp": {} }""", "OPR0004", "operations[0].ramp.angle", 3)]
+    [InlineData("""{ "id": "o1", "kind": "drill", "select": "rest", "tool": 3, "depth": 1, "ramp": {"angle": 3} }""", "OPR0003", "operations[0].ramp", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "overcut": 0 }""", "OPR0003", "operations[0].overcut", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 2, "tabs": {"count": 1, "width": 1} }""", "OPR0004", "operations[0].tabs.height", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "tabs": {"count": 1, "width": 1, "height": 1} }""", "OPR0003", "operations[0].tabs.height", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "tabs": {"count": 1, "width": 1, "shape": "sloped"} }""", "OPR0003", "operations[0].tabs.shape", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 2, "tabs": {"count": 1, "width": 1, "height": 1, "angle": 30} }""", "OPR0003", "operations[0].tabs.angle", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "start": {"rule": "edge"} }""", "OPR0003", "operations[0].start.rule", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "start": {"at": [[1, 2, 3]]} }""", "OPR0003", "operations[0].start.at", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "start": {"at": [["1", 2]]} }""", "OPR0003", "operations[0].start.at", 3)]
@@ -79,6 +93,7 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 1} }""", "OPR0003", "operations[0].tabs.height", 3)]
     [InlineData("""{ "id": "o1", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "tabs": {"count": 2, "width": 1, "height": 0.5} }""", "OPR0003", "operations[0].tabs", 3)]
     [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3 }""", "OPR0004", "operations[0].spacing", 3)]
+    [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3, "spacing": 1, "pattern": "contour", "angle": 5 }""", "OPR0003", "operations[0].angle", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "side": "left", "direction": "climb" }""", "OPR0003", "operations[0].direction", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "length": 2} }""", "OPR0003", "operations[0].leadIn.length", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": {"colours": ["01"]}, "tool": 3 }""", "OPR0003", "operations[0].select.colours", 3)]

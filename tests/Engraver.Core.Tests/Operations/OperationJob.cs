@@ -33,7 +33,7 @@ internal sealed class OperationJob
         var shaper = new OperationShaper(drawing, s_options, MaxError);
         Shapes = [.. Assignment.Parts.Select(shaper.Shape)];
         Ordered = OperationOrder.Of(Shapes, drawing, s_options);
-        Passes = OperationPasses.Of(Ordered, Sequencer.Chain(analysed, drawing, s_options), Assignment.Contours, drawing, s_options);
+        Passes = OperationPasses.Of(Ordered, Sequencer.Chain(analysed, drawing, s_options), Assignment.Contours, drawing, s_options, MaxError);
         Path = ToolpathPlanner.Plan(Passes.Sequence, default, MaxError);
     }
 
@@ -50,7 +50,7 @@ internal sealed class OperationJob
     public Toolpath Path { get; }
 
     /// <summary>Ids of the findings of the check of a path.</summary>
-    public IReadOnlyList<string> CheckOf(Toolpath path) => [.. OperationCheck.Findings(Shapes, path, Passes.Strokes, new ToolpathTolerances(MaxError, 0.01, false), _drawing.SourceOf).Select(finding => finding.Id)];
+    public IReadOnlyList<string> CheckOf(Toolpath path) => [.. OperationCheck.Findings(Shapes, Assignment.Contours, path, Passes.Strokes, new ToolpathTolerances(MaxError, 0.01, false), _drawing.SourceOf).Select(finding => finding.Id)];
 
     /// <summary>Points of a stroke, at most a step apart.</summary>
     public static IEnumerable<Point2D> PointsOf(ToolpathStroke stroke, double step) =>

@@ -195,6 +195,32 @@ public class OperationStrokesTests
         static bool IsMaterial(Point2D place) => Within(place, 0, 40) && (!Within(place, 10, 30) || Within(place, 17, 23));
     }
 
+    /// <summary>Every line is at the inset or a multiple of the spacing from it, and no place between is farther from a line than the spacing.</summary>
+    [Theory]
+    [InlineData(0.7, 1.5)]
+    [InlineData(0.1, 2.0)]
+    public void A_fill_parallel_to_the_contours_covers_the_inside(double inset, double spacing)
+    {
+        var job = new OperationJob(Plate(), FormattableString.Invariant($$"""{ "id": "f", "kind": "fill", "select": {"layers": ["CUT"]}, "tool": 1, "depth": 0.2, "pattern": "contour", "spacing": {{spacing}}, "inset": {{inset}} }"""));
+        var walls = job.Assignment.Parts[0].Table.ToSegments();
+        var lines = job.Path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment).ToList();
+
+        Assert.Empty(job.Shapes[0].Faults);
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.All(job.Path.Strokes, stroke => Assert.True(stroke.Closed));
+        Assert.All(job.Path.Strokes.SelectMany(stroke => OperationJob.PointsOf(stroke, 0.3)), place => Assert.True(Math.Abs(Math.IEEERemainder(walls.Min(wall => wall.DistanceTo(place)) - inset, spacing)) < 1e-3 && IsMaterial(place), $"{place}"));
+        for (var x = 0.2; x < 40.0; x += 0.77)
+        {
+            for (var y = 0.3; y < 40.0; y += 0.83)
+            {
+                var place = new Point2D(x, y);
+                if (IsMaterial(place) && walls.Min(wall => wall.DistanceTo(place)) >= inset) Assert.True(lines.Min(line => line.DistanceTo(place)) <= spacing, $"{place}");
+            }
+        }
+
+        static bool IsMaterial(Point2D place) => Within(place, 0, 40) && (!Within(place, 10, 30) || Within(place, 17, 23));
+    }
+
     /// <summary>Its inset is larger than half of the narrow contour; the wide one has lines, and no line is reported as an open contour.</summary>
     [Fact]
     public void A_contour_without_a_line_is_named()

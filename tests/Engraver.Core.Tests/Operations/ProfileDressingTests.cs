@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.TestKit;
 
@@ -11,6 +12,15 @@ public class ProfileDressingTests
     private const double Radius = 1.0;
 
     private const string Dressed = """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "direction": "climb", "start": {"rule": "longest"}, "leadIn": {"shape": "arc", "radius": 2}, "leadOut": {"shape": "line", "length": 1.5}, "tabs": {"count": 3, "width": 2, "height": 1} }""";
+
+    private static readonly double s_rampSlope = Math.Tan(6.0 * Math.PI / 180.0);
+
+    private static readonly string[] s_variants =
+    [
+        Dressed,
+        """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "direction": "climb", "start": {"rule": "corner"}, "ramp": {"angle": 6}, "leadIn": {"shape": "line", "length": 2, "direction": "tangential"}, "tabs": {"count": 3, "width": 2, "height": 1, "shape": "sloped", "angle": 64} }""",
+        """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 2, "direction": "climb", "start": {"rule": "top"}, "ramp": {"angle": 6}, "overcut": 3, "leadIn": {"shape": "arc", "radius": 1.5}, "leadOut": {"shape": "arc", "radius": 2}, "tabs": {"spacing": 45, "width": 2, "height": 1} }""",
+    ];
 
     [Fact]
     public void A_lead_is_tangent_in_the_waste_and_a_tab_is_as_wide_and_high_as_stated()
@@ -127,6 +137,130 @@ public class ProfileDressingTests
         }
     }
 
+    /// <summary>A tangential line begins before the corner, in line with the first side.</summary>
+    [Fact]
+    public void A_line_is_perpendicular_or_tangential()
+    {
+        Segment Lead(string direction) => new OperationJob(new DrawingBuilder().Square(0, 0, 20).Build(), $$"""{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 1, "direction": "climb", "start": {"rule": "top"}, "leadIn": {"shape": "line", "length": 3{{direction}}} }""").Path.Strokes[0].Moves[0].Segment;
+
+        Assert.Equal((10.0, 24.0, 10.0, 21.0), Ends(Lead("")));
+        Assert.Equal((7.0, 21.0, 10.0, 21.0), Ends(Lead(", \"direction\": \"tangential\"")));
+
+        static (double, double, double, double) Ends(Segment line) => (Math.Round(line.Start.X, 9), Math.Round(line.Start.Y, 9), Math.Round(line.End.X, 9), Math.Round(line.End.Y, 9));
+    }
+
+    [Fact]
+    public void An_open_contour_beside_a_line_has_leads_on_the_far_side()
+    {
+        var job = new OperationJob(new DrawingBuilder().Line(0, 0, 30, 0).Build(), """{ "id": "cut", "kind": "profile", "side": "left", "select": "rest", "tool": 1, "depth": 2, "depthPerPass": 1, "overcut": 2, "leadIn": {"shape": "arc", "radius": 2}, "leadOut": {"shape": "line", "length": 3} }""");
+
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Empty(job.Passes.Findings);
+        Assert.All(job.Path.Strokes, stroke => Assert.Equal([StrokeRole.Lead, StrokeRole.Cut, StrokeRole.Lead], stroke.Moves.Select(move => move.Role)));
+        Assert.Equal((3.0, 4.0), (Math.Round(job.Path.Strokes[0].Start.Y, 6), Math.Round(job.Path.Strokes[0].End.Y, 6)));
+    }
+
+    [Theory]
+    [InlineData("nearest", 5.0)]
+    [InlineData("longest", 30.0)] // beyond the first corner
+    public void An_overcut_repeats_the_beginning_of_the_contour(string start, double overcut)
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 40).Build(), FormattableString.Invariant($$"""{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "start": {"rule": "{{start}}"}, "overcut": {{overcut}}, "leadOut": {"shape": "line", "length": 3}, "tabs": {"spacing": 20, "width": 2, "height": 1} }"""));
+        var stroke = job.Path.Strokes[0];
+        var contour = (4 * 40.0) + (2.0 * Math.PI);
+
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Equal(contour + overcut + 3.0, stroke.Length, 6);
+        Assert.False(stroke.Closed);
+        Assert.Equal(9, job.Passes.Places[0].Tabs.Count);
+        Assert.All(job.Passes.Places[0].Tabs, tab => Assert.True(stroke.Moves[^2].Segment.DistanceTo(tab) > 2.9));
+        Assert.NotEmpty(job.CheckOf(job.Path with { Strokes = [stroke with { Moves = [.. stroke.Moves.SkipLast(2)] }] }));
+        Assert.Equal("OPR0053", Assert.Single(new OperationJob(new DrawingBuilder().Square(0, 0, 4).Build(), """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "overcut": 50 }""").Passes.Findings).Id);
+    }
+
+    /// <summary>The tool is at the depth before at the start of the ramp, never falls more steeply than stated, and then cuts the whole contour.</summary>
+    [Theory]
+    [InlineData("profile", "CUT", "\"direction\": \"climb\", \"tabs\": {\"count\": 2, \"width\": 2, \"height\": 1}, \"leadIn\": {\"shape\": \"arc\", \"radius\": 2},")]
+    [InlineData("profile", "HOLES", "")] // several times around a path of a radius of 1 mm
+    [InlineData("engrave", "MARK", "")]
+    [InlineData("engrave", "HOLES", "\"order\": \"level\",")]
+    [InlineData("pocket", "CUT", "")]
+    [InlineData("fill", "CUT", "\"spacing\": 4,")]
+    public void A_ramp_descends_along_the_stroke(string kind, string layer, string fields)
+    {
+        var (previous, slope) = (new Dictionary<int, double>(), Math.Tan(5.0 * Math.PI / 180.0));
+        var job = new OperationJob(OperationStrokesTests.Plate(), $$"""{ "id": "a", "kind": "{{kind}}", "select": {"layers": ["{{layer}}"]}, "tool": 1, "startDepth": 0.5, "depth": 3, "depthPerPass": 1.5, "finish": 0.2, "repeats": 2, {{fields}} "ramp": {"angle": 5} }""", diameter: layer == "HOLES" ? 0.5 : 2.0);
+
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Equal(4, job.Passes.Strokes.Max(pass => pass.Pass) + 1);
+        foreach (var (stroke, pass) in job.Path.Strokes.Zip(job.Passes.Strokes))
+        {
+            var ramp = stroke.Moves.Where(move => move.Role == StrokeRole.Ramp).ToList();
+            var before = previous.GetValueOrDefault(pass.Stroke, 0.5);
+            previous[pass.Stroke] = pass.Depth;
+            Assert.All(stroke.Moves.Where(move => move.Role == StrokeRole.Cut), move => Assert.Equal((-pass.Depth, -pass.Depth), (move.StartZ, move.EndZ)));
+            if (pass.Pass == 3) Assert.Empty(ramp);
+            if (pass.Pass == 3) continue;
+            Assert.Equal((-before, -pass.Depth), (ramp[0].StartZ, ramp[^1].EndZ));
+            Assert.Equal((pass.Depth - before) / slope, ramp.Sum(move => move.Segment.Length), 6);
+            Assert.All(ramp, move => Assert.True(move.Segment.Kind == SegmentKind.Line && move.StartZ - move.EndZ <= (slope * move.Segment.Length) + 1e-9));
+            Assert.True(ramp[^1].Segment.End.IsNear(stroke.Moves.First(move => move.Role == StrokeRole.Cut).Segment.Start, 1e-9));
+        }
+    }
+
+    [Fact]
+    public void A_stroke_that_is_too_short_for_a_ramp_is_named()
+    {
+        var job = new OperationJob(new DrawingBuilder().Line(0, 0, 0.02, 0).Line(5, 0, 9, 0).Build(), """{ "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 3, "ramp": {"angle": 5} }""");
+
+        Assert.Equal(("OPR0054", "1"), (Assert.Single(job.Passes.Findings).Id, job.Passes.Findings[0].Facts[1]));
+        Assert.Empty(job.CheckOf(job.Path));
+    }
+
+    [Theory]
+    [InlineData(45.0)]
+    [InlineData(20.0)]
+    public void Sloped_tabs_rise_along_the_contour(double angle)
+    {
+        var drawing = new DrawingBuilder().Square(0, 0, 60).Circle(120, 30, 30).Build();
+        var job = new OperationJob(drawing, FormattableString.Invariant($$"""{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "tabs": {"count": 3, "width": 2, "height": 2, "shape": "sloped", "angle": {{angle}} } }"""));
+        var slope = Math.Tan(angle * Math.PI / 180.0);
+
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Empty(job.Passes.Findings);
+        foreach (var (stroke, pass) in job.Path.Strokes.Zip(job.Passes.Strokes))
+        {
+            var tabs = stroke.Moves.Where(move => move.Role == StrokeRole.Tab).ToList();
+            Assert.Equal([(4.0, -1.0), (4.0, -1.0), (4.0, -1.0)], tabs.Where(move => move.StartZ == move.EndZ).Select(move => (Math.Round(move.Segment.Length, 6), move.StartZ)));
+            Assert.All(tabs.Where(move => move.StartZ != move.EndZ), move => Assert.Equal(slope, Math.Abs(move.EndZ - move.StartZ) / move.Segment.Length, 2));
+            Assert.Equal(6.0 * (pass.Depth - 1.0), tabs.Sum(move => Math.Abs(move.EndZ - move.StartZ)), 6);
+            Assert.All(stroke.Moves.Zip(stroke.Moves.Skip(1)), pair => Assert.True(pair.First.EndZ == pair.Second.StartZ && pair.First.Segment.End.IsNear(pair.Second.Segment.Start, 1e-9)));
+        }
+    }
+
+    /// <summary>The tool is off over each tab, in every pass, and no stroke is shorter or longer for it.</summary>
+    [Fact]
+    public void A_tool_without_an_axis_leaves_gaps()
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 40).Circle(80, 20, 15).Build(), """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "repeats": 2, "overcut": 1, "leadIn": {"shape": "arc", "radius": 2}, "leadOut": {"shape": "line", "length": 1}, "tabs": {"count": 3, "width": 2} }""", MachineProfile.Default);
+
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Equal(2 * 2 * 4, job.Path.Strokes.Count);
+        Assert.All(job.Path.Strokes, stroke => Assert.False(stroke.Closed));
+        Assert.DoesNotContain(job.Path.Strokes.SelectMany(stroke => stroke.Moves), move => move.Role == StrokeRole.Tab);
+        Assert.Equal(8, job.Path.Strokes.SelectMany(stroke => stroke.Moves).Count(move => move.Role == StrokeRole.Lead));
+        foreach (var contour in job.Path.Strokes.Zip(job.Passes.Strokes).GroupBy(stroke => (stroke.Second.Stroke, stroke.Second.Pass), stroke => stroke.First))
+        {
+            var pieces = contour.ToList();
+            var gaps = pieces.Zip(pieces.Skip(1)).Select(pair => pair.First.End.DistanceTo(pair.Second.Start)).ToList();
+            Assert.All(gaps, gap => Assert.Equal(4.0, gap, 1));
+            Assert.Equal(12.0, (pieces.Any(piece => piece.Start.X < 45.0) ? (4 * 40.0) + (2.0 * Math.PI) : 32.0 * Math.PI) + 2.0 + Math.PI - pieces.Sum(piece => piece.Length), 6);
+        }
+
+        Assert.Equal(6, job.Passes.Places[0].Tabs.Count);
+        Assert.NotEmpty(job.CheckOf(job.Path with { Strokes = [.. job.Path.Strokes.Select((stroke, index) => index == 1 ? stroke with { Moves = [.. stroke.Moves.Skip(1)] } : stroke)] }));
+    }
+
     private static Layer Visible(string name) => new(name, On: true, Frozen: false, Plot: true);
 
     /// <summary>Shapes at random places with holes in them, some near others. What is checked uses the drawn segments only.</summary>
@@ -136,23 +270,40 @@ public class ProfileDressingTests
         for (var seed = 0; seed < TestExtent.Cases(40, 2000, "ENGRAVER_OPERATION_SHAPES"); seed++)
         {
             var drawing = Shapes(new Random(seed));
-            var job = new OperationJob(drawing, Dressed);
+            var job = new OperationJob(drawing, s_variants[seed % s_variants.Length]);
             var drawn = job.Assignment.Parts[0].Table.ToSegments();
             Assert.True(job.Shapes[0].Faults.Count == 0, $"{seed}: {string.Join(' ', job.Shapes[0].Faults.Select(fault => fault.Sentence))}");
             Assert.Empty(job.CheckOf(job.Path));
             foreach (var stroke in job.Path.Strokes)
             {
-                Assert.All(OperationJob.PointsOf(stroke, 0.02), place => Assert.True(drawn.Min(segment => segment.DistanceTo(place)) >= Radius - 0.002, $"{seed}: {place}"));
-                var contour = stroke with { Moves = [.. stroke.Moves.Where(move => move.Role != StrokeRole.Lead)] };
+                Assert.All(OperationJob.PointsOf(stroke, 0.05), place => Assert.True(drawn.Min(segment => segment.DistanceTo(place)) >= Radius - 0.002, $"{seed}: {place}"));
+                Assert.All(stroke.Moves.Where(move => move.Role == StrokeRole.Ramp), move => Assert.True(move.StartZ - move.EndZ <= (s_rampSlope * move.Segment.Length) + 1e-9, $"{seed}"));
+                var contour = stroke with { Moves = [.. stroke.Moves.Where(move => move.Role is not (StrokeRole.Lead or StrokeRole.Ramp))] };
                 var area = OperationJob.AreaOf([.. OperationJob.PointsOf(contour, 0.1)]);
                 var isOutside = Math.Abs(area) > 200.0; // the smallest part has 314 mm2, the largest hole 95
                 Assert.Equal(isOutside, area < 0.0);
-                var up = stroke.Moves.Where(move => move.Role == StrokeRole.Tab && move.Segment.Length > 0.0).ToList();
+                var up = stroke.Moves.Where(move => move.Role == StrokeRole.Tab && move.StartZ == move.EndZ).ToList();
                 Assert.All(up, move => Assert.Equal((4.0, -2.0), (Math.Round(move.Segment.Length, 6), move.StartZ)));
                 Assert.InRange(up.Count, 0, 3);
-                if (isOutside && stroke.Moves[0].StartZ == -3.0) Assert.True(up.Count >= 2, $"{seed}: {up.Count} tabs");
+                if (isOutside && stroke.Moves[^1].EndZ == -3.0) Assert.True(up.Count >= 2, $"{seed}: {up.Count} tabs");
+            }
+
+            // No pass of a contour cuts into its tabs: 2 mm wide, and the radius of the tool on both sides.
+            foreach (var contour in job.Path.Strokes.Zip(job.Passes.Strokes).GroupBy(stroke => stroke.Second.Stroke, stroke => stroke.First))
+            {
+                var moves = contour.SelectMany(stroke => stroke.Moves).ToList();
+                var deep = moves.Where(move => Math.Min(move.StartZ, move.EndZ) < -2.0 - 1e-6).Select(move => move.StartZ == move.EndZ ? move.Segment : SegmentBelow(move)).ToList();
+                Assert.All(moves.Where(move => move.Role == StrokeRole.Tab && move.StartZ == move.EndZ), tab => Assert.True(deep.Min(segment => segment.DistanceTo(tab.Segment.PointAt(0.5))) > 1.98, $"{seed}: {tab.Segment.Start}"));
             }
         }
+    }
+
+    /// <summary>The part of a slope that is below the tabs.</summary>
+    private static Segment SegmentBelow(StrokeMove slope)
+    {
+        var part = (-2.0 - slope.StartZ) / (slope.EndZ - slope.StartZ);
+        if (part is not (> 0.0 and < 1.0)) return slope.Segment;
+        return slope.StartZ > slope.EndZ ? Segment.FromLine(slope.Segment.PointAt(part), slope.Segment.End) : Segment.FromLine(slope.Segment.Start, slope.Segment.PointAt(part));
     }
 
     /// <summary>Squares, rounded squares and circles of 20 to 30 mm in a grid with gaps of 3 mm or more, each with a round hole or none.</summary>
