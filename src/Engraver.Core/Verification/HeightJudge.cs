@@ -18,6 +18,7 @@ public sealed class HeightJudge : ITraceJudge
     private readonly SegmentIndex _index;
     private readonly BoxTree.Measure _measure;
     private readonly CoveredParts[] _covered;
+    private readonly bool _hasUpright;
     private Vector3D _asked;
     private bool _isVertical;
     private bool _wasRaised;
@@ -40,6 +41,7 @@ public sealed class HeightJudge : ITraceJudge
         _pieces = DrawnPieces.Create(drawing, cutDepth);
         _index = new SegmentIndex(_pieces.Plan);
         _covered = [.. _pieces.Plan.Select(_ => new CoveredParts())];
+        _hasUpright = Enumerable.Range(0, _pieces.Plan.Length).Any(_pieces.IsUpright);
         _measure = (piece, _) => Measure(piece).Distance;
     }
 
@@ -73,7 +75,7 @@ public sealed class HeightJudge : ITraceJudge
         var (missing, first) = (0.0, (Point2D?)null);
         for (var piece = 0; piece < _covered.Length; piece++)
         {
-            var length = _pieces.Plan[piece].Length;
+            var length = _pieces.LengthOf(piece);
             var shortest = length / _tolerances.StepsFor(length);
             foreach (var (from, to) in _covered[piece].Gaps().Where(gap => (gap.To - gap.From) * length >= shortest * 0.999)) AddMissing(piece, from, to, ref missing, ref first);
         }
@@ -89,8 +91,17 @@ public sealed class HeightJudge : ITraceJudge
         var nearest = Nearest(out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);
+        if (_isVertical && UprightAt(_asked) is { } upright) nearest = upright;
         if (nearest >= 0 && deviation <= _tolerances.Coverage && Measure(nearest) is { IsAtDepth: true } found) Follow(nearest, found.Foot);
         else _followed = (-1, default);
+    }
+
+    /// <summary>The piece straight up or down at a place: a peck, the side of a tab. Elsewhere the tool may rise freely, which cuts nothing.</summary>
+    private int? UprightAt(Vector3D place)
+    {
+        if (!_hasUpright) return null;
+        var piece = _index.NearestBy((piece, _) => _pieces.IsUpright(piece) ? _pieces.Nearest(piece, place).Distance : double.PositiveInfinity, new Point2D(place.X, place.Y), _tolerances.Coverage, 0.0, out var distance);
+        return piece >= 0 && distance <= _tolerances.Coverage ? piece : null;
     }
 
     /// <summary>The last piece is tried first: samples are consecutive.</summary>
@@ -172,7 +183,7 @@ public sealed class HeightJudge : ITraceJudge
     /// <summary>A gap does not count where another piece of the drawing that coincides with this one was cut.</summary>
     private void AddMissing(int piece, double from, double to, ref double missing, ref Point2D? first)
     {
-        var length = _pieces.Plan[piece].Length;
+        var length = _pieces.LengthOf(piece);
         var parts = Math.Max(1, (int)Math.Min(10_000.0, Math.Ceiling((to - from) * length / _tolerances.LargestStep)));
         for (var i = 0; i < parts; i++)
         {
@@ -215,6 +226,11 @@ internal sealed record DrawnPieces(Segment[] Plan, double[] From, double[] To)
 
         return new DrawnPieces([.. plan], [.. from], [.. to]);
     }
+
+    public bool IsUpright(int piece) => From[piece] != To[piece] && Plan[piece].Length == 0.0;
+
+    /// <summary>Length in plan; of a piece straight up or down its height.</summary>
+    public double LengthOf(int piece) => Plan[piece].Length is > 0.0 and var inPlan ? inPlan : Math.Abs(To[piece] - From[piece]);
 
     /// <summary>Point of a piece nearest to a place, as a fraction, and its distance.</summary>
     public (double Foot, double Distance) Nearest(int piece, Vector3D place)

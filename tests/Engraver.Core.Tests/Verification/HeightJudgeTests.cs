@@ -96,6 +96,29 @@ public class HeightJudgeTests
         Assert.InRange(Judge(square, s_drive, Cut(2)).MissingLength, 0.02, 0.0572);
     }
 
+    [Fact]
+    public void A_hole_that_is_not_drilled_or_not_to_its_depth_is_missing_by_its_height()
+    {
+        var (near, far) = (new StrokeMove(Segment.FromLine(new Point2D(0, 0), new Point2D(0, 0)), 0, 0.0, -3.0), new StrokeMove(Segment.FromLine(new Point2D(10, 0), new Point2D(10, 0)), 1, 0.0, -3.0));
+
+        Assert.Equal((0.0, 0.0), (Judge([near, far], s_drive, Down(0, -3.0), Up(0, -3.0), Down(10, -3.0), Up(10, -3.0)).MissingLength, Judge([near, far], s_drive, Down(0, -3.0), Up(0, -3.0), Down(10, -3.0), Up(10, -3.0)).ExtraLength));
+        Assert.Equal(3.0, Judge([near, far], s_drive, Down(0, -3.0), Up(0, -3.0)).MissingLength, 9);
+        Assert.Equal(1.0, Judge([near, far], s_drive, Down(0, -3.0), Up(0, -3.0), Down(10, -2.0), Up(10, -2.0)).MissingLength, 1);
+    }
+
+    [Fact]
+    public void The_sides_of_a_tab_are_cut_where_the_tool_moves_over_it_and_missing_where_it_does_not()
+    {
+        StrokeMove At(double from, double to, double start, double end) => new(Segment.FromLine(new Point2D(from, 0), new Point2D(to, 0)), 0, start, end);
+        StrokeMove[] path = [At(0, 4, -2, -2), At(4, 4, -2, -1), At(4, 6, -1, -1), At(6, 6, -1, -2), At(6, 10, -2, -2)];
+        TraceSample[] Over(double from, double to, double z) => [.. Enumerable.Range(0, 101).Select(i => new TraceSample(i, from + ((to - from) * i / 100), 0, true, z))];
+        TraceSample[] Rise(double x, double from, double to) => [.. Enumerable.Range(0, 101).Select(i => new TraceSample(i, x, 0, true, from + ((to - from) * i / 100)))];
+
+        var whole = Judge(path, s_drive, Down(0, -2), Over(0, 4, -2), Rise(4, -2, -1), Over(4, 6, -1), Rise(6, -1, -2), Over(6, 10, -2), Up(10, -2));
+        Assert.Equal((0.0, 0.0, 0.0), (Math.Round(whole.MaxDeviation, 9), whole.MissingLength, whole.ExtraLength));
+        Assert.Equal(4.0, Judge(path, s_drive, Down(0, -2), Over(0, 10, -2), Up(10, -2)).MissingLength, 1);
+    }
+
     private static StrokeMove Level(double height) => new(Segment.FromLine(new Point2D(0, 0), new Point2D(10, 0)), 0, height, height);
 
     private static TraceSample[] Along(Func<int, (double X, double Y, double Z)> place, int steps) => [.. Enumerable.Range(0, steps + 1).Select(i => place(i) is var (x, y, z) ? new TraceSample(i, x, y, z < 1.0, z) : default)];

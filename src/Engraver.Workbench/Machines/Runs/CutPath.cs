@@ -26,7 +26,7 @@ internal static class CutPath
                     var length = left > 0 ? segment.Length : left == 0 ? place.Along : 0.0;
                     if (length > 0.0)
                     {
-                        foreach (var at in Points(new SegmentPath(start, segment), segment, length)) yield return Sample(scale, at, scale.ToMillimetres(HeightOf(start, segment, at)), cutting: true);
+                        foreach (var sample in Samples(scale, start, segment, length)) yield return sample;
                     }
 
                     left--;
@@ -34,6 +34,14 @@ internal static class CutPath
                 }
             }
         }
+    }
+
+    private static IEnumerable<TraceSample> Samples(CountsScale scale, CountsPoint start, VectorSegment segment, double length)
+    {
+        var isVertical = segment.Kind == VectorSegmentKind.Line && start.X == segment.End.X && start.Y == segment.End.Y;
+        if (!isVertical) return Points(new SegmentPath(start, segment), segment, length).Select(at => Sample(scale, at, scale.ToMillimetres(HeightOf(start, segment, at)), cutting: true));
+        double[] heights = [start.Z, start.Z + ((segment.End.Z - start.Z) * length / segment.Length)];
+        return heights.Select(height => Sample(scale, new Point2D(start.X, start.Y), scale.ToMillimetres(height), cutting: true));
     }
 
     private static IEnumerable<Point2D> Points(SegmentPath course, VectorSegment segment, double length)
