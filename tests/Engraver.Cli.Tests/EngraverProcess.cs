@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Runtime.InteropServices;
+using System.Runtime.Versioning;
 
 namespace Engraver.Cli.Tests;
 
@@ -28,6 +29,17 @@ internal sealed class EngraverProcess : IDisposable
 
     /// <summary>With <see cref="StartupHook"/>: the signal <see cref="StartupHook.Trigger"/> makes a pool thread throw.</summary>
     public static EngraverProcess StartWithBug(params string[] args) => Start("dotnet", [Program, .. args], ("DOTNET_STARTUP_HOOKS", typeof(StartupHook).Assembly.Location));
+
+    /// <summary>A script of the samples, which runs the program that is tested.</summary>
+    /// <param name="folder">Gets the start of the program.</param>
+    [UnsupportedOSPlatform("windows")]
+    public static EngraverProcess StartScript(string folder, string script, params string[] args)
+    {
+        var program = Path.Combine(folder, "engraver");
+        File.WriteAllText(program, $"#!/bin/sh\nexec dotnet '{Program}' \"$@\"\n");
+        File.SetUnixFileMode(program, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        return Start("bash", [script, .. args], ("ENGRAVER", program));
+    }
 
     private static EngraverProcess Start(string command, IEnumerable<string> args, (string Name, string Value)? setting = null)
     {
