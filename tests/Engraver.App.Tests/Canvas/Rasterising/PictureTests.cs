@@ -132,6 +132,18 @@ public sealed class PictureTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_plate_with_three_tools_shows_each_operation_in_its_colour() => WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        Open(here, "finished-plate.dxf");
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCUT", "32", "OPERATION", "LOad", "finished-plate.operations.json");
+        here.Show("Operations");
+        here.Until(() => here.Window.Canvas.Overlay is { HasOperations: true });
+        here.Enter("ZOOM", "Extents");
+        Take(here, "operations");
+    });
+
+    [Fact]
     public Task The_simulated_machine_is_armed() => WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
