@@ -2,13 +2,14 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.SerialTexts;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>The options of a run of several plates: <c>--csv</c>, <c>--rows</c>, <c>--copies</c>, <c>--grid</c>, <c>--pitch</c>, <c>--first-cell</c>,
-/// <c>--counter</c>.</summary>
+/// <summary>The options of a run of several plates: <c>--csv</c>, <c>--rows</c>, <c>--copies</c>, <c>--grid</c>, <c>--pitch</c>, <c>--stagger</c>,
+/// <c>--first-cell</c>, <c>--counter</c>.</summary>
 internal sealed class SeriesOptions
 {
     private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE.csv", Description = Wording.Get("Series.Csv") };
@@ -16,12 +17,13 @@ internal sealed class SeriesOptions
     private readonly Option<double?> _copies = new("--copies") { HelpName = "N", Description = Wording.Get("Series.Copies"), CustomParser = result => OptionValue.IntegerFromOne(result) };
     private readonly Option<(int Columns, int Rows)?> _grid = new("--grid") { HelpName = "COLUMNSxROWS", Description = Wording.Get("Series.Grid"), CustomParser = ParseGrid };
     private readonly Option<Point2D?> _pitch = new("--pitch") { HelpName = "DX,DY", Description = Wording.Get("Series.Pitch"), CustomParser = ParsePitch };
+    private readonly Option<Point2D?> _stagger = new("--stagger") { HelpName = "DX,DY", Description = Wording.Get("Series.Stagger"), CustomParser = ParsePitch };
     private readonly Option<double?> _firstCell = new("--first-cell") { HelpName = "N", Description = Wording.Get("Series.FirstCell"), CustomParser = result => OptionValue.IntegerFromOne(result) };
     private readonly Option<CounterRequest> _counter = CounterRequest.NewOption();
 
     public void AddTo(Command command)
     {
-        foreach (var option in (Option[])[_csv, _rows, _copies, _grid, _pitch, _firstCell, _counter]) command.Options.Add(option);
+        foreach (var option in (Option[])[_csv, _rows, _copies, _grid, _pitch, _stagger, _firstCell, _counter]) command.Options.Add(option);
     }
 
     public string? CsvFile(ParseResult parsed) => parsed.GetValue(_csv);
@@ -32,18 +34,20 @@ internal sealed class SeriesOptions
     public CounterRequest Counter(ParseResult parsed) => parsed.GetValue(_counter) ?? CounterRequest.None;
 
     /// <summary>The first option that requests several plates; null for none.</summary>
-    public string? Requested(ParseResult parsed) => ((Option[])[_csv, _rows, _copies, _grid, _pitch, _firstCell]).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false })?.Name;
+    public string? Requested(ParseResult parsed) => ((Option[])[_csv, _rows, _copies, _grid, _pitch, _stagger, _firstCell]).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false })?.Name;
 
     /// <summary>The plates, as the drawing and the options state them.</summary>
     /// <param name="fields">The fields in the texts that are cut.</param>
+    /// <param name="placement">Of the drawing.</param>
     /// <returns>Null where a finding about the CSV file is an error.</returns>
     /// <exception cref="UsageException">Options that cannot be used together.</exception>
-    public (PlateSeries? Series, IReadOnlyList<Diagnostic> Findings) Read(ParseResult parsed, PlateFields fields)
+    public (PlateSeries? Series, IReadOnlyList<Diagnostic> Findings) Read(ParseResult parsed, PlateFields fields, DrawingPlacement placement)
     {
         if (CsvFile(parsed) is null && parsed.GetValue(_rows) is not null) throw new UsageException(Wording.Get("Series.RowsWithoutCsv"));
         if (CsvFile(parsed) is not null && parsed.GetValue(_copies) is not null) throw new UsageException(Wording.Get("Series.CopiesWithCsv"));
         if (parsed.GetValue(_grid) is null != parsed.GetValue(_pitch) is null) throw new UsageException(Wording.Get("Series.GridAndPitch"));
-        var grid = parsed.GetValue(_grid) is var (columns, rows) && parsed.GetValue(_pitch) is { } pitch ? new PlateGrid(columns, rows, pitch - Point2D.Origin) : null;
+        var grid = parsed.GetValue(_grid) is var (columns, rows) && parsed.GetValue(_pitch) is { } pitch ? new PlateGrid(columns, rows, pitch - Point2D.Origin) { Stagger = (parsed.GetValue(_stagger) ?? Point2D.Origin) - Point2D.Origin, Placement = placement } : null;
+        if (grid is null && parsed.GetValue(_stagger) is not null) throw new UsageException(Wording.Get("Series.StaggerWithoutGrid"));
         var firstCell = FirstCell(parsed, grid);
         if (CsvFile(parsed) is not { } file) return (new PlateSeries(fields, new CsvRow?[(int)(parsed.GetValue(_copies) ?? grid?.Cells - firstCell ?? 1)], grid) { FirstCell = firstCell }, []);
         var (table, findings) = CsvTable.Read(file);

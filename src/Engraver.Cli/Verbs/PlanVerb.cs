@@ -38,11 +38,12 @@ internal static class PlanVerb
             var job = PlateJob.Prepare(read, settings, strategy.Style, series?.Plates[0], stop);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
             var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
-            if (series is not null) plan = plan with { Plates = [.. series.Plates.Select(PlateReportJson.From)] };
+            if (series is not null) plan = plan with { Plates = await StoppableVerb.ComputeAsync(() => Planned(series, read, settings, parsed.GetValue(connect), strategy, stop), stop).ConfigureAwait(false) };
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else if (parsed.GetValue(sheet) && times is { } known) JobSheet.Of(job, known, rates).Write(host.Out);
             else PlanReport.Text(host.Out, plan);
             if (!parsed.GetValue(json)) series?.Write(host.Out);
+            if (!parsed.GetValue(json) && plan.Plates is { Count: > 1 } all) await host.Out.WriteLineAsync(Wording.Get("Plan.AllPlates", all.Count, all.Sum(plate => plate.Seconds ?? 0.0))).ConfigureAwait(false);
             return Math.Max(missing, host.Report(parsed, read.FileName, [.. job.Diagnostics.Where(found => !reported.Contains(found.Message) && (missing == ExitCode.Done || series is not null || found.Rule != SerialRules.NoValue)), .. findings]));
         });
         return command;
@@ -67,6 +68,19 @@ internal static class PlanVerb
         {
             return (null, host.Report(parsed, drawing.FileName, [finding]), new HashSet<string>());
         }
+    }
+
+    /// <summary>Every plate with its time on the machine.</summary>
+    private static IReadOnlyList<PlateReportJson> Planned(SeriesPlan series, Drawing drawing, DrawingSettings settings, ControllerAddress? address, ExecutionStrategy strategy, CancellationToken stop)
+    {
+        var plates = new List<PlateReportJson>();
+        foreach (var plate in series.Plates)
+        {
+            var program = PlateJob.Prepare(drawing, settings, strategy.Style, plate, stop).Motion.Program;
+            plates.Add(PlateReportJson.From(plate) with { Seconds = program is null ? null : JobPlan.PlannedTimes(JobPlan.FitToLink(program, address, strategy, drawing).Program, address, strategy).Total });
+        }
+
+        return plates;
     }
 
     private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)

@@ -1,11 +1,13 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
+using Engraver.Cli.Verbs.Plates;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Languages;
 using Engraver.Core.Plots;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -21,22 +23,27 @@ internal static class PlotVerb
         var what = new Option<string>("--what") { Description = Wording.Get("Plot.What"), DefaultValueFactory = _ => "path" };
         what.AcceptOnlyFromAmong("drawing", "path", "deviation", "following", "speed", "trajectory");
         var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Plot.Journal") };
+        var series = new SeriesOptions();
         var command = new Command("plot", Wording.Get("Plot.Summary"));
         drawing.AddTo(command);
+        series.AddTo(command);
         command.Options.Add(output);
         command.Options.Add(what);
         command.Options.Add(journal);
-        command.SetAction((parsed, stop) =>
+        command.SetAction(async (parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             OutputFormat.Check(parsed.GetValue(output), ".svg");
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var findings = DrawingFile.IsUnreadable(read) ? [] : JobPreparation.To<LetteredJob>(read, settings).Findings;
-            if (settings.Operations is not null && JobPreparation.To<OrderedJob>(read, settings) is { OperationFaults: { Count: > 0 } faults } refused) return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. refused.Findings, .. faults]));
+            if (settings.Operations is not null && JobPreparation.To<OrderedJob>(read, settings) is { OperationFaults: { Count: > 0 } faults } refused) return host.Report(parsed, read.FileName, [.. read.Diagnostics, .. refused.Findings, .. faults]);
             if (settings.Operations is not null && !DrawingFile.IsUnreadable(read)) findings = JobPreparation.To<OrderedJob>(read, settings).Findings;
+            var plates = series.Requested(parsed) is null || DrawingFile.IsUnreadable(read) ? [] : await PlatesAsync(host, parsed, series, read, settings, stop).ConfigureAwait(false);
+            if (plates is null) return ExitCode.DrawingError;
             var plot = parsed.GetValue(what) switch
             {
+                "path" or "drawing" when plates.Count > 0 => DrawingPlot.OfPlates(read, settings, parsed.GetValue(what) == "drawing", plates),
                 "trajectory" => Trajectories(DrawingPlot.OfTrajectories(read, settings, null)),
                 "deviation" => OfRun(read, settings, RunMeasure.Deviation, parsed.GetValue(journal)),
                 "following" => OfRun(read, settings, RunMeasure.Following, parsed.GetValue(journal)),
@@ -44,7 +51,7 @@ internal static class PlotVerb
                 var chosen => DrawingPlot.Create(read, settings, chosen == "drawing"),
             };
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
-            return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. findings]));
+            return host.Report(parsed, read.FileName, [.. read.Diagnostics, .. findings]);
 
             PlotModel Trajectories((PlotModel Plot, IReadOnlyList<Diagnostic> Findings) made)
             {
@@ -53,6 +60,23 @@ internal static class PlotVerb
             }
         });
         return command;
+    }
+
+    /// <returns>The plates of the series; null if a finding about their values is an error.</returns>
+    /// <exception cref="UsageException">Options that cannot be used together, or counters that give no number.</exception>
+    private static async Task<IReadOnlyList<Plate>?> PlatesAsync(VerbHost host, ParseResult parsed, SeriesOptions options, Drawing drawing, DrawingSettings settings, CancellationToken stop)
+    {
+        try
+        {
+            var (plan, findings) = await SeriesPlan.ReadAsync(parsed, options, drawing, JobPreparation.FieldsOf(drawing, settings), isDryRun: true, null, stop).ConfigureAwait(false);
+            var code = host.Report(parsed, options.CsvFile(parsed) ?? drawing.FileName, [.. findings, .. plan?.Findings ?? []]);
+            return code == ExitCode.Done ? plan?.Plates : null;
+        }
+        catch (CounterException refused) when (refused.Finding is { } finding)
+        {
+            host.Report(parsed, drawing.FileName, [finding]);
+            return null;
+        }
     }
 
     /// <summary>From the trace saved beside a journal; by default beside that of the last run of the drawing.</summary>

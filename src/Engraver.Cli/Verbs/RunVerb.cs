@@ -8,6 +8,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
@@ -65,6 +66,9 @@ internal sealed class RunVerb
 
     /// <summary>The run is one of several plates, which have been run so far.</summary>
     private bool _isSeries;
+
+    /// <summary>What the plates after the first one reach, until it has started.</summary>
+    private MotionExtents? _following;
     private readonly List<PlateReportJson> _plates = [];
 
     /// <summary>Findings of the drawing are the same on every plate.</summary>
@@ -149,6 +153,7 @@ internal sealed class RunVerb
             if (!_host.Quiet(parsed) && (plan.Count > 1 || plan.First > 0)) plan.Write(_host.Error);
             if (!await LettersAreGoodAsync(parsed, drawing, settings, plan, stop).ConfigureAwait(false)) return ReportNotStarted(null, Wording.Get("Run.DrawingHasErrors"));
             _isSeries = plan.Count > 1;
+            _following = await StoppableVerb.ComputeAsync(() => plan.FollowingExtents(drawing, settings, strategy.Style, stop), stop).ConfigureAwait(false);
             for (var index = plan.First; index < plan.End; index++)
             {
                 if (index > plan.First && plan.Series.StartsBlank(index) && !await plan.AskForBlankAsync(_host, index, stop).ConfigureAwait(false))
@@ -157,6 +162,7 @@ internal sealed class RunVerb
                     return ExitCode.StoppedByOperator;
                 }
 
+                if (index > plan.First) _following = null; // all are inside: this was checked before the first
                 remaining = index > plan.First ? plan.InterruptedText(index, null) : null;
                 using var turn = plan.Turn(index);
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
@@ -249,6 +255,7 @@ internal sealed class RunVerb
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
+            Following = _following,
             Origin = _placement.Origin(parsed),
             Finish = job.Settings.Finish,
             Memories = PlacementOptions.Memories(parsed.GetRequiredValue(_connect)!),

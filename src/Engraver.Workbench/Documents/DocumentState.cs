@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Settings;
@@ -62,15 +63,15 @@ public sealed record DocumentState
     public IReadOnlyList<int> Previous { get; init; } = [];
 
     /// <summary>The document with its drawing placed, which is not an edit: the file does not change.</summary>
-    /// <returns>Null if a coordinate would leave the range of a drawing.</returns>
+    /// <returns>The document; or why the drawing cannot be placed so.</returns>
     /// <exception cref="InvalidOperationException">No drawing is open.</exception>
-    public DocumentState? PlacedBy(DrawingPlacement placement)
+    public (DocumentState? Placed, Diagnostic? Refusal) PlacedBy(DrawingPlacement placement)
     {
         var drawing = Drawing ?? throw new InvalidOperationException();
         var settings = Settings with { Placement = placement };
         var source = drawing.Placement.IsNone ? drawing : Unplaced;
-        var placed = source is not null && placement.IsNone ? source : PlacedDrawing.Try(source ?? drawing, settings, source is null ? drawing.PlacementMap.Inverse() : Transform2D.Identity);
-        return placed is null ? null : this with { Drawing = placed, Unplaced = placement.IsNone ? null : source, Edition = Edition, Settings = settings };
+        var (placed, refusal) = source is not null && placement.IsNone ? (source, null) : PlacedDrawing.Try(source ?? drawing, settings, source is null ? drawing.PlacementMap.Inverse() : Transform2D.Identity);
+        return (placed is null ? null : this with { Drawing = placed, Unplaced = placement.IsNone ? null : source, Edition = Edition, Settings = settings }, refusal);
     }
 
     /// <summary>The document whose placement is in the coordinates of its file, because they were saved.</summary>

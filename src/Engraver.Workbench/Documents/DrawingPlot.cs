@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.SerialTexts;
@@ -20,6 +21,23 @@ public static class DrawingPlot
         var title = Path.GetFileName(drawing.FileName);
         if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings, values), title);
         return PlotModel.FromPath(JobPreparation.To<PathJob>(drawing, settings, values).Toolpath, title);
+    }
+
+    /// <summary>All plates of a series, each at its place.</summary>
+    /// <param name="asDrawn">True: curves in file order, no path.</param>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing, or a cell is outside the range of a drawing.</exception>
+    public static PlotModel OfPlates(Drawing drawing, DrawingSettings settings, bool asDrawn, IReadOnlyList<Plate> plates)
+    {
+        ArgumentNullException.ThrowIfNull(plates);
+        var title = Path.GetFileName(drawing.FileName);
+        List<PlotModel> models = [.. plates.Select(ModelOf)];
+        return models[0] with { Strokes = [.. models.SelectMany(model => model.Strokes)], Rapids = [.. models.SelectMany(model => model.Rapids)] };
+
+        PlotModel ModelOf(Plate plate)
+        {
+            var run = new StageRun(PlateJob.Drawn(drawing, settings, MotionStyle.Continuous, plate), CancellationToken.None);
+            return asDrawn ? PlotModel.FromDrawing(run.To<AnalysedJob>().Analysed, title) : PlotModel.FromPath(run.To<PathJob>().Toolpath, title);
+        }
     }
 
     /// <summary>Trajectories over the drawing: those of the document or of the sidecar, otherwise one along each contour.</summary>

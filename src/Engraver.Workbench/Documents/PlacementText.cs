@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
@@ -18,6 +19,10 @@ public static class PlacementText
         if (placement.Scale != 1.0) yield return Wording.Get("Placement.Scaled", NumberPrompt.Format(placement.Scale));
         if (placement.Mirror != MirrorAxis.None) yield return Wording.Get("Placement.Mirrored", placement.Mirror);
         if (placement.Rotation.Degrees != 0.0) yield return Wording.Get("Placement.Rotated", NumberPrompt.Format(placement.Rotation.Degrees));
+        if (placement.Place != BlankPlace.None) yield return Wording.Get("Placement." + placement.Place);
+        if (placement is { Align: { } from, To: { } to }) yield return Wording.Get("Placement.Aligned", PointSetting.Exact(from.First), PointSetting.Exact(from.Second), PointSetting.Exact(to.First), PointSetting.Exact(to.Second));
         if (placement.Move != default) yield return Wording.Get("Placement.Moved", NumberPrompt.Format(placement.Move.X), NumberPrompt.Format(placement.Move.Y));
+        if (placement.Blank != default) yield return Wording.Get("Placement.OnBlank", NumberPrompt.Format(placement.Blank.X), NumberPrompt.Format(placement.Blank.Y));
+        if (placement.Back != MirrorAxis.None) yield return Wording.Get("Placement.Turned", placement.Back);
     }
 }

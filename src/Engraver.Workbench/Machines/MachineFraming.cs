@@ -16,7 +16,7 @@ internal static class MachineFraming
     {
         using var clock = connection.CreateClock();
         await using var machine = await clock.HandshakeAsync(connection, trace: null, stop).ConfigureAwait(false);
-        var placement = await JobPlacement.FindAsync(machine, lease, frame, dryRun: true, new OriginRequest.ActiveOrigin(), FinishPlace.Stay, clock.Time, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, lease, frame, dryRun: true, new OriginRequest.ActiveOrigin(), FinishPlace.Stay, null, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found is { Refusal: { } unplaced }) return JobResult.NotStarted(frame.Strokes.Count, unplaced.Message) with { Diagnostics = [unplaced] };
         placed(placement.Found.Frame);
         placement.NoteStart();

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 namespace Engraver.Workbench.Settings;
 
 /// <summary>A displacement, mm. Not kept where it is 0.</summary>
-public sealed class MoveSetting(string key, Func<DrawingSettings, Vector2D> get, Func<DrawingSettings, Vector2D, DrawingSettings> with) : Setting<Vector2D>(key, get, with)
+public class MoveSetting(string key, Func<DrawingSettings, Vector2D> get, Func<DrawingSettings, Vector2D, DrawingSettings> with) : Setting<Vector2D>(key, get, with)
 {
     public override string? Argument => "X,Y";
 

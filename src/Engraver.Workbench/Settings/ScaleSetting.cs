@@ -2,11 +2,9 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>The factor of a drawing: a number, or a ratio as on drawings, 1:2 for half the size. Not kept where it is 1.</summary>
-public sealed class ScaleSetting(string key, Func<DrawingSettings, double> get, Func<DrawingSettings, double, DrawingSettings> with) : NumberSetting(key, get, with)
+/// <summary>The factor of a drawing: a number, or a ratio as on drawings, 1:2 for half the size.</summary>
+public sealed class ScaleSetting(string key, Func<DrawingSettings, double> get, Func<DrawingSettings, double, DrawingSettings> with) : OptionalNumberSetting(key, get, with)
 {
-    protected override string DefaultText => TypedNumber.Exact(DefaultValue);
-
     public override ParsedInput<double> ReadOption(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -15,6 +13,4 @@ public sealed class ScaleSetting(string key, Func<DrawingSettings, double> get, 
             ? new ParsedInput<double>.Value(numerator / denominator)
             : new ParsedInput<double>.Invalid(Wording.Get("Setting.scale.Invalid", typed));
     }
-
-    protected override string? WordOf(double value) => value == DefaultValue ? null : base.WordOf(value);
 }

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Drawings;
 using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
@@ -20,14 +21,35 @@ public static class SettingTable
         Argument = "F", Min = 1e-6, Max = 1e6, Command = PlacementCommand, HasOwnCommand = true,
     };
 
-    public static MirrorSetting Mirror { get; } = new("mirror", s => s.Placement.Mirror, (s, v) => s with { Placement = s.Placement with { Mirror = v } }) { Command = PlacementCommand, HasOwnCommand = true };
+    public static OptionalChoiceSetting<MirrorAxis> Mirror { get; } = new("mirror", s => s.Placement.Mirror, (s, v) => s with { Placement = s.Placement with { Mirror = v } }) { Command = PlacementCommand, HasOwnCommand = true };
 
     public static RotationSetting Rotate { get; } = new("rotate", s => s.Placement.Rotation, (s, v) => s with { Placement = s.Placement with { Rotation = v } })
     {
         Unit = "deg", Argument = "DEG", Min = -3600.0, Max = 3600.0, Command = PlacementCommand, HasOwnCommand = true,
     };
 
+    public static OptionalChoiceSetting<BlankPlace> Place { get; } = new("place", s => s.Placement.Place, (s, v) => s with { Placement = s.Placement with { Place = v } }) { Command = PlacementCommand, HasOwnCommand = true };
+
+    public static PointPairSetting Align { get; } = new("align", s => s.Placement.Align, (s, v) => s with { Placement = s.Placement with { Align = v } })
+    {
+        Unit = "mm", Argument = "X1,Y1:X2,Y2", Command = PlacementCommand, HasOwnCommand = true,
+    };
+
+    public static PointPairSetting To { get; } = new("to", s => s.Placement.To, (s, v) => s with { Placement = s.Placement with { To = v } })
+    {
+        Unit = "mm", Argument = "U1,V1:U2,V2", Command = PlacementCommand, HasOwnCommand = true,
+    };
+
+    public static OptionalNumberSetting AlignTolerance { get; } = new("align-tolerance", s => s.Placement.AlignTolerance, (s, v) => s with { Placement = s.Placement with { AlignTolerance = v } })
+    {
+        Unit = "mm", Argument = "MM", Min = 0.0, Max = 1e3, Command = PlacementCommand, HasOwnCommand = true,
+    };
+
     public static MoveSetting Move { get; } = new("move", s => s.Placement.Move, (s, v) => s with { Placement = s.Placement with { Move = v } }) { Unit = "mm", Command = PlacementCommand, HasOwnCommand = true };
+
+    public static BlankSetting Blank { get; } = new("blank", s => s.Placement.Blank, (s, v) => s with { Placement = s.Placement with { Blank = v } }) { Unit = "mm", Command = PlacementCommand, HasOwnCommand = true };
+
+    public static OptionalChoiceSetting<MirrorAxis> Back { get; } = new("back", s => s.Placement.Back, (s, v) => s with { Placement = s.Placement with { Back = v } }) { Command = PlacementCommand, HasOwnCommand = true };
 
     public static CutSetting Cut { get; } = new("cut", s => s.Cut, (s, v) => s with { Cut = v }) { Command = "CNCCUT", Page = SettingPage.Drawing };
 
@@ -87,7 +109,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<Setting> All { get; } =
-        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Move, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Place, Align, To, AlignTolerance, Move, Blank, Back, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The setting of a key; null when there is none.</summary>
     public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);

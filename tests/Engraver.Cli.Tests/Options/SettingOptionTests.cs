@@ -8,7 +8,7 @@ namespace Engraver.Cli.Tests.Options;
 /// <summary>Every setting of the table that has an option has it at every drawing verb, with its help, its page and its completion.</summary>
 public sealed class SettingOptionTests
 {
-    private static readonly string[] s_texts = ["1", "0.5", "A1", "1,2", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), Path.Combine(RepositoryFolder.Samples, "operation-plate.operations.json")];
+    private static readonly string[] s_texts = ["1", "0.5", "A1", "1,2", "0,0:1,1", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), Path.Combine(RepositoryFolder.Samples, "operation-plate.operations.json")];
 
     public static TheoryData<string> Keys => [.. SettingTable.All.Where(setting => setting.HasOption).Select(setting => setting.Key)];
 
@@ -51,12 +51,22 @@ public sealed class SettingOptionTests
     {
         try
         {
-            return Settings(setting is null ? ["part.dxf"] : setting.IsSwitch ? ["part.dxf", setting.Option!] : ["part.dxf", setting.Option!, text!, .. setting == SettingTable.Kerf ? ["--tool-diameter", "1"] : setting == SettingTable.Tool ? ["--operations", s_texts[^1]] : (string[])[]]);
+            return Settings(setting is null ? ["part.dxf"] : setting.IsSwitch ? ["part.dxf", setting.Option!] : ["part.dxf", setting.Option!, text!, .. With(setting)]);
         }
         catch (Exception refused) when (refused is UsageException or SettingException)
         {
             return null;
         }
+    }
+
+    /// <summary>What the option is used together with.</summary>
+    private static string[] With(Setting setting)
+    {
+        if (setting == SettingTable.Kerf) return ["--tool-diameter", "1"];
+        if (setting == SettingTable.Tool) return ["--operations", s_texts[^1]];
+        if (setting == SettingTable.Align) return ["--to", "0,0:1,1"];
+        if (setting == SettingTable.To) return ["--align", "0,0:1,1"];
+        return setting == SettingTable.Back ? ["--blank", "10,10"] : [];
     }
 
     private static DrawingSettings Settings(string[] arguments)

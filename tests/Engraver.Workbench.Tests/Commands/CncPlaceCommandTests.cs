@@ -57,6 +57,22 @@ public class CncPlaceCommandTests
     }
 
     [Fact]
+    public async Task A_drawing_is_aligned_placed_on_its_blank_and_turned_over()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "K", "X");
+        Assert.Contains("CNCPLACE needs the size of the blank: CNCPLACE.", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCPLACE", "B", "100,0", "100,80", "CNCPLACE", "K", "X", "CNCPLACE", "P", "CE");
+        Assert.Equal(new DrawingPlacement { Blank = new Vector2D(100.0, 80.0), Back = MirrorAxis.X, Place = BlankPlace.Centre }, talk.State.Settings.Placement);
+
+        await talk.TypeAsync("CNCPLACE", "AL", "0,0:90,0", "0,0:0,90");
+        Assert.Equal((BlankPlace.None, new PointPair(default, new Point2D(90.0, 0.0))), (talk.State.Settings.Placement.Place, talk.State.Settings.Placement.Align));
+        await talk.TypeAsync("CNCPLACE", "AL", "0,0:90,0", "0,0:0,91");
+        Assert.Contains("differ by 1 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("0,0 and 90,0 at 0,0 and 0,90, on a blank of 100 x 80 mm, on its back, turned about X", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task The_placement_ends_with_the_drawing_and_is_not_set_without_one()
     {
         await using var talk = await OpenAsync();

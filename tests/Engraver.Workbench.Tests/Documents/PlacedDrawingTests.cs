@@ -5,6 +5,7 @@ using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;
 
@@ -53,6 +54,63 @@ public sealed class PlacedDrawingTests : IDisposable
             z = (z * Complex.FromPolarCoordinates(1.0, 35.0 * Math.PI / 180.0)) + new Complex(11.0, -7.0);
             return new Point2D(z.Real, z.Imaginary);
         }
+    }
+
+    /// <summary>Lower left corner and centre of what is cut, a rotation by a right angle, and 0.06 mm that are missing between two points.</summary>
+    [Fact]
+    public void A_drawing_is_placed_on_its_blank_or_aligned_with_two_points()
+    {
+        var placement = new DrawingPlacement { Scale = 0.5, Rotation = Angle.FromDegrees(90.0) };
+        var corner = BoundsOf(placement with { Place = BlankPlace.Corner, Move = new Vector2D(3.0, 4.0) });
+        Assert.Equal((3.0, 4.0), (Math.Round(corner.MinX, 9), Math.Round(corner.MinY, 9)));
+        var centre = BoundsOf(placement with { Place = BlankPlace.Centre, Blank = new Vector2D(500.0, 300.0) });
+        Assert.Equal((250.0, 150.0), (Math.Round((centre.MinX + centre.MaxX) / 2.0, 9), Math.Round((centre.MinY + centre.MaxY) / 2.0, 9)));
+        Assert.Equal((corner.Width, corner.Height), (centre.Width, centre.Height), (one, other) => Math.Abs(one.Width - other.Width) < 1e-9 && Math.Abs(one.Height - other.Height) < 1e-9);
+
+        var aligned = new DrawingPlacement { Align = new PointPair(new(10.0, 0.0), new(30.0, 0.0)), To = new PointPair(new(5.0, 5.0), new(5.0, 25.06)) };
+        var map = aligned.MapIn(DrawingScale.Millimetres, Bounds2D.Empty);
+        Assert.Equal(0.06, aligned.AlignError, 9);
+        Assert.True(map.Apply(new Point2D(10.0, 0.0)).IsNear(new Point2D(5.0, 5.03), 1e-9) && map.Apply(new Point2D(30.0, 0.0)).IsNear(new Point2D(5.0, 25.03), 1e-9));
+        Assert.Equal(1.0, map.Scale);
+
+        Bounds2D BoundsOf(DrawingPlacement place) => Segments(Open(new DrawingSettings { Placement = place }), new DrawingSettings()).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
+    }
+
+    /// <summary>A point of the front and the same point of the turned blank are at the same distance from opposite edges.</summary>
+    [Theory]
+    [InlineData(MirrorAxis.X)]
+    [InlineData(MirrorAxis.Y)]
+    public void The_back_fits_the_front_also_in_a_grid(MirrorAxis axis)
+    {
+        var front = new DrawingPlacement { Rotation = Angle.FromDegrees(20.0), Place = BlankPlace.Centre, Blank = new Vector2D(400.0, 300.0) };
+        var back = front with { Back = axis };
+        var box = new Bounds2D(-10.0, -20.0, 30.0, 50.0);
+        for (var index = 0; index < 6; index++)
+        {
+            var (one, other) = (At(front, index), At(back, index));
+            Assert.True(other.IsNear(axis == MirrorAxis.X ? new Point2D(one.X, 300.0 - one.Y) : new Point2D(400.0 - one.X, one.Y), 1e-9), $"{index}");
+        }
+
+        Assert.Equal((200.0, 150.0), (Enumerable.Range(0, 6).Average(index => At(front with { Rotation = Angle.Zero }, index).X), Enumerable.Range(0, 6).Average(index => At(front with { Rotation = Angle.Zero }, index).Y)));
+
+        Point2D At(DrawingPlacement placement, int index) =>
+            placement.MapIn(DrawingScale.Millimetres, box).Apply(new Point2D(10.0, 15.0)) + new PlateGrid(3, 2, new Vector2D(100.0, 80.0)) { Stagger = new Vector2D(0.0, 0.0), Placement = placement }.OffsetOf(index);
+    }
+
+    [Fact]
+    public void A_drawing_without_curves_has_no_place_on_a_blank()
+    {
+        var placed = Open(new DrawingSettings { Layers = ["none"], Placement = new DrawingPlacement { Place = BlankPlace.Corner } });
+        Assert.Equal(PlacementRules.NothingToPlace, Assert.Single(placed.Diagnostics).Rule);
+    }
+
+    [Fact]
+    public void A_path_that_leaves_the_blank_is_reported()
+    {
+        var settings = new DrawingSettings { Placement = new DrawingPlacement { Place = BlankPlace.Corner, Blank = new Vector2D(1000.0, 10.0) } };
+        var height = Segments(Open(settings), settings).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds)).MaxY;
+        var finding = Assert.Single(JobPreparation.To<CheckedJob>(Open(settings), settings).Findings, found => found.Rule == PlacementRules.OutsideBlank);
+        Assert.Equal(height - 10.0, double.Parse(finding.Facts[0], System.Globalization.CultureInfo.InvariantCulture), 2);
     }
 
     [Fact]

@@ -56,6 +56,8 @@ public class PlateFieldsTests
     {
         var grid = new PlateGrid(2, 2, new Vector2D(70, -25));
         Assert.Equal([new(0, 0), new(70, 0), new(0, -25), new(70, -25), new(0, 0)], Enumerable.Range(0, 5).Select(grid.OffsetOf));
+        var staggered = grid with { Stagger = new Vector2D(5, -3) };
+        Assert.Equal([new(0, 0), new(70, -3), new(5, -25), new(75, -28)], Enumerable.Range(0, 4).Select(staggered.OffsetOf));
         var series = new PlateSeries(PlateFields.Of([]), new CsvRow?[9], grid);
         Assert.Equal([4, 8], Enumerable.Range(0, 9).Where(series.StartsBlank));
     }

@@ -15,7 +15,7 @@ public class SettingValuesTests
     private static readonly DrawingSettings s_other = new()
     {
         Unit = LengthUnits.FromInsUnits(1)! with { Source = "option" },
-        Placement = new DrawingPlacement { Scale = 1.0 / 3.0, Mirror = MirrorAxis.Y, Rotation = Angle.FromDegrees(-0.1), Move = new Vector2D(1e-7, -0.3) },
+        Placement = new DrawingPlacement { Scale = 1.0 / 3.0, Mirror = MirrorAxis.Y, Rotation = Angle.FromDegrees(-0.1), Move = new Vector2D(1e-7, -0.3), Place = BlankPlace.Centre, Align = new PointPair(new(0.1, 1e-7), new(-2, 3)), To = new PointPair(default, new(1, 2.5)), AlignTolerance = 0.3, Blank = new Vector2D(1.0 / 3.0, 4), Back = MirrorAxis.X },
         Cut = CutChoice.Hatch | CutChoice.Helix,
         Layers = ["A,B", "\"Ä\n"],
         SkippedLayers = ["0", ""],
@@ -70,6 +70,8 @@ public class SettingValuesTests
     [InlineData("mirror", "z")]
     [InlineData("rotate", "left")]
     [InlineData("move", "1")]
+    [InlineData("align", "1,2")]
+    [InlineData("to", "1,2:1,2")]
     public void A_word_that_is_no_value_is_refused(string key, string word) =>
         Assert.Throws<FormatException>(() => SettingValues.Read(new Dictionary<string, string> { [key] = word }, MachineProfile.Default));
 }

@@ -105,7 +105,7 @@ public sealed class SettingWalkTests
     /// <summary>The settings with another value of one of them.</summary>
     private static DrawingSettings Another(Setting setting)
     {
-        string[] texts = ["1", .. setting.OptionWords, "0.5", "A1", "1,2", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), Path.Combine(RepositoryFolder.Samples, "operation-plate.operations.json")];
+        string[] texts = ["1", .. setting.OptionWords, "0.5", "A1", "1,2", "0,0:1,1", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), Path.Combine(RepositoryFolder.Samples, "operation-plate.operations.json")];
         return setting.HasOption
             ? texts.Where(text => setting.WhyNotOption(text) is null).Select(text => TryOption(setting, text)).First(settings => settings is not null && settings != DrawingSettings.Default)!
             : setting.FromInput(DrawingSettings.Default, "2048");

@@ -2,6 +2,8 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.SerialTexts;
@@ -51,7 +53,7 @@ internal sealed class SeriesPlan
     /// <exception cref="CounterException">The counters give no number, or an unfinished plate needs a decision, or its row is not in the series.</exception>
     public static async Task<(SeriesPlan? Plan, IReadOnlyList<Diagnostic> Findings)> ReadAsync(ParseResult parsed, SeriesOptions options, Drawing drawing, PlateFields fields, bool isDryRun, string? resumed, CancellationToken stop)
     {
-        var (series, findings) = options.Read(parsed, fields);
+        var (series, findings) = options.Read(parsed, fields, drawing.Placement);
         if (series is null) return (null, findings);
         var (book, request, isSeries) = (CounterBook.OfOperator(TimeProvider.System), options.Counter(parsed), options.Requested(parsed) is not null);
         if (isDryRun && request.Values.Count > 0) throw new UsageException(Wording.Get("Series.SetsNothing"));
@@ -98,6 +100,23 @@ internal sealed class SeriesPlan
         }
 
         return [.. errors.SelectMany(one => one.Found)];
+    }
+
+    /// <summary>What the plates after the first one reach, from the work origin.</summary>
+    /// <returns>Null for a single plate, and for a machine without travel limits, where it does not matter.</returns>
+    /// <exception cref="OperationCanceledException">The operator stopped.</exception>
+    public MotionExtents? FollowingExtents(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken stop)
+    {
+        if (TravelLimits.Of(settings.Machine).Count == 0) return null;
+        MotionExtents? all = null;
+        foreach (var plate in _plates.Skip(1))
+        {
+            if (PlateJob.Prepare(drawing, settings, style, plate, stop).Motion.Program is not { } program) continue;
+            var reached = MotionExtents.Of(program);
+            all = all?.Union(reached) ?? reached;
+        }
+
+        return all;
     }
 
     /// <summary>The run of a plate, with the present date and the numbers of this moment: another program may have taken some since.</summary>

@@ -28,6 +28,9 @@ public readonly record struct MotionExtents(long MinX, long MinY, long MaxX, lon
         return extents;
     }
 
+    /// <summary>What both reach.</summary>
+    public MotionExtents Union(MotionExtents other) => new(Math.Min(MinX, other.MinX), Math.Min(MinY, other.MinY), Math.Max(MaxX, other.MaxX), Math.Max(MaxY, other.MaxY), other.Cuts is { } cuts ? Cuts?.With(cuts.Min).With(cuts.Max) ?? cuts : Cuts);
+
     /// <summary>The heights that the tool's axis reaches, above the drawing's height 0: from the deepest cut to the clearance height of the rapids; in a dry
     /// run raised by <see cref="DryRunLift"/>.</summary>
     /// <returns>Null where no axis is the tool drive, or nothing is cut: the height does not change.</returns>

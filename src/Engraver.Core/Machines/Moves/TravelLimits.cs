@@ -72,12 +72,13 @@ public static class TravelLimits
     /// deepest cut to its clearance.</summary>
     /// <param name="profile">The machine with its travel; the axes of the program's own profile are in the same order.</param>
     /// <param name="dryRun">The tool stays out of the work: all motion is raised (<see cref="DryRunLift"/>).</param>
-    public static Diagnostic? Refusal(MachineProfile profile, MotionProgram program, CountsPoint frame, bool dryRun)
+    /// <param name="following">What the jobs after it reach, which must be inside too; null for none.</param>
+    public static Diagnostic? Refusal(MachineProfile profile, MotionProgram program, CountsPoint frame, bool dryRun, MotionExtents? following = null)
     {
         ArgumentNullException.ThrowIfNull(profile);
         ArgumentNullException.ThrowIfNull(program);
         if (Of(profile).Count == 0) return null;
-        var extents = MotionExtents.Of(program);
+        var extents = following?.Union(MotionExtents.Of(program)) ?? MotionExtents.Of(program);
         if (Refusal(profile, [extents.MinX + frame.X, extents.MinY + frame.Y], [extents.MaxX + frame.X, extents.MaxY + frame.Y]) is { } inPlan) return inPlan;
         if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
         var (least, most) = (heights.Min + frame.Z, heights.Max + frame.Z);

@@ -24,13 +24,14 @@ public static class WorkPlacement
 
     /// <summary>The same placement, unless the job that is placed there leaves the machine's travel.</summary>
     /// <param name="dryRun">The tool stays out of the work.</param>
-    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, StoredMachineState memory, ControllerPosition place)
+    /// <param name="following">What the jobs after it reach there; null for none.</param>
+    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, StoredMachineState memory, ControllerPosition place, MotionExtents? following = null)
     {
         ArgumentNullException.ThrowIfNull(found);
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(memory);
         if (found.Frame is not { } frame || !memory.IsTravelKnown(program.Profile, place)) return found;
-        return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { IsWithinTravel = true };
+        return TravelLimits.Refusal(program.Profile, program, frame, dryRun, following) is { } outside ? found with { Frame = null, Refusal = outside } : found with { IsWithinTravel = true };
     }
 
     /// <summary>Why a position from the controller's own zero is not a certain position of the machine; null when it is one.</summary>

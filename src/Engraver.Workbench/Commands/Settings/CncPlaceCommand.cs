@@ -16,13 +16,17 @@ internal sealed class CncPlaceCommand : ICommand
     {
         _ = context.Drawing;
         var present = context.Document.Current.Settings.Placement;
-        var option = await context.ChoiceAsync(Wording.Get("CncPlace.EnterOption", PlacementText.Of(present)), Keyword.List("Scale", "Mirror", "Rotate", "MOve", "None"), "Scale").ConfigureAwait(false);
+        var option = await context.ChoiceAsync(Wording.Get("CncPlace.EnterOption", PlacementText.Of(present)), Keyword.List("Scale", "Mirror", "Rotate", "Place", "ALign", "MOve", "Blank", "bacK", "None"), "Scale").ConfigureAwait(false);
         var placement = option switch
         {
             "Scale" => present with { Scale = await NumberAsync(context, "CncPlace.EnterScale", SettingTable.Scale, present.Scale).ConfigureAwait(false) },
             "Mirror" => present with { Mirror = await AxisAsync(context, "CncPlace.EnterMirror", present.Mirror).ConfigureAwait(false) },
             "Rotate" => present with { Rotation = Angle.FromDegrees(await NumberAsync(context, "CncPlace.EnterRotation", SettingTable.Rotate, present.Rotation.Degrees).ConfigureAwait(false)) },
-            "MOve" => present with { Move = await VectorAsync(context, "CncPlace.EnterMove", present.Move).ConfigureAwait(false) },
+            "MOve" => present with { Move = await TypedAsync(context, "CncPlace.EnterMove", SettingTable.Move).ConfigureAwait(false) },
+            "Place" => present with { Place = await PlaceAsync(context, present.Place).ConfigureAwait(false) },
+            "ALign" => await AlignedAsync(context, present).ConfigureAwait(false),
+            "Blank" => present with { Blank = await TypedAsync(context, "CncPlace.EnterBlank", SettingTable.Blank).ConfigureAwait(false) },
+            "bacK" => present with { Back = await AxisAsync(context, "CncPlace.EnterBack", present.Back).ConfigureAwait(false) },
             _ => DrawingPlacement.None,
         };
         Commit(context, placement);
@@ -33,7 +37,9 @@ internal sealed class CncPlaceCommand : ICommand
     {
         var state = context.Document.Current;
         if (placement == state.Settings.Placement) return;
-        var placed = state.PlacedBy(placement) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
+        if (SettingTable.Blank.Conflict(state.Settings with { Placement = placement }) is { } conflict) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(conflict));
+        var (placed, refusal) = state.PlacedBy(placement);
+        if (placed is null) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(refusal!).Message);
         context.Commit(placed);
         context.View.ZoomExtents(placed.Drawing!);
     }
@@ -44,13 +50,25 @@ internal sealed class CncPlaceCommand : ICommand
     private static async Task<MirrorAxis> AxisAsync(CommandContext context, string prompt, MirrorAxis present) =>
         Enum.Parse<MirrorAxis>(await context.ChoiceAsync(Wording.Get(prompt), Keyword.List([.. Enum.GetNames<MirrorAxis>()]), present.ToString()).ConfigureAwait(false));
 
-    private static async Task<Vector2D> VectorAsync(CommandContext context, string prompt, Vector2D present)
+    private static async Task<BlankPlace> PlaceAsync(CommandContext context, BlankPlace present) =>
+        Enum.Parse<BlankPlace>(await context.ChoiceAsync(Wording.Get("CncPlace.EnterPlace"), Keyword.List("None", "COrner", "CEntre"), present switch { BlankPlace.Corner => "COrner", BlankPlace.Centre => "CEntre", _ => "None" }).ConfigureAwait(false), ignoreCase: true);
+
+    private static async Task<DrawingPlacement> AlignedAsync(CommandContext context, DrawingPlacement present) => present with
     {
+        Place = BlankPlace.None,
+        Align = await TypedAsync(context, "CncPlace.EnterAlign", SettingTable.Align).ConfigureAwait(false),
+        To = await TypedAsync(context, "CncPlace.EnterTo", SettingTable.To).ConfigureAwait(false),
+    };
+
+    /// <summary>Asks until the text is a value of the setting's option.</summary>
+    private static async Task<T> TypedAsync<T>(CommandContext context, string prompt, Setting<T> setting)
+    {
+        var shown = setting.ToWord(context.Document.Current.Settings) ?? setting.Default;
         while (true)
         {
-            var typed = await context.ValueAsync(new TextPrompt(Wording.Get(prompt)) { Default = PointSetting.Exact(Point2D.Origin + present) }).ConfigureAwait(false);
-            if (SettingTable.Move.ReadOption(typed) is ParsedInput<Vector2D>.Value { Result: var vector }) return vector;
-            context.WriteMessage(Wording.Get("PointSetting.NotAPoint", typed), MessageKind.Error);
+            var typed = await context.ValueAsync(new TextPrompt(Wording.Get(prompt)) { Default = shown.Length > 0 ? shown : null }).ConfigureAwait(false);
+            if (setting.ReadOption(typed) is ParsedInput<T>.Value { Result: var value }) return value;
+            context.WriteMessage(setting.WhyNotOption(typed)!, MessageKind.Error);
         }
     }
 }

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Origins;
@@ -28,10 +29,11 @@ public sealed class JobPlacement
 
     /// <summary>Queries the machine position and computes the placement from the stored work origin.</summary>
     /// <param name="dryRun">The tool stays off; a tool axis stays raised.</param>
+    /// <param name="following">What the jobs after it reach at the same place; null for none.</param>
     /// <param name="time">Provides the number of the mark in the controller.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     /// <exception cref="MachineMemoryException">The result cannot be stored.</exception>
-    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineLease lease, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, TimeProvider time, CancellationToken cancellation)
+    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineLease lease, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, MotionExtents? following, TimeProvider time, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(machine);
         ArgumentNullException.ThrowIfNull(lease);
@@ -39,7 +41,7 @@ public sealed class JobPlacement
         var place = await machine.ReadPositionAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
         lease.CompareZero(place);
         var found = WorkPlacement.Find(lease.Memory, place, origin, program.Profile, program.Start);
-        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, lease.Memory, place);
+        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, lease.Memory, place, following);
         if (found.Frame is not { } frame) return new JobPlacement(lease, found, program);
         if (found.Source == OriginSource.Work) await ConfirmZeroAsync(machine, lease, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory.UsedBy(program.Profile), time, cancellation).ConfigureAwait(false);
         return new JobPlacement(lease, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = lease.Memory.IsTravelKnown(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), UnknownMotorTypes = UnknownMotorTypesOf(program.Profile.Axes, place) };

@@ -81,7 +81,7 @@ public static class MachineRun
         var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var section = options.DryRun ? null : JobSection.At(job, program, beginning.Place); // a dry run needs no other tool
-        var placement = await JobPlacement.FindAsync(machine, options.Lease ?? taken!, program, options.DryRun, beginning.Origin, section is { IsLast: false } && options.Finish == FinishPlace.Stay ? FinishPlace.Origin : options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, options.Lease ?? taken!, program, options.DryRun, beginning.Origin, section is { IsLast: false } && options.Finish == FinishPlace.Stay ? FinishPlace.Origin : options.Finish, options.Following, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(beginning.RestOf(section?.UpToEnd(placement.Program) ?? placement.Program), options.Strategy);
         var unready = await RefusalAsync(placement, options.Lease ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines.Origins;
 
@@ -22,6 +23,9 @@ public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrat
 
     /// <summary>Target of the machine after the last stroke.</summary>
     public FinishPlace Finish { get; init; }
+
+    /// <summary>What the jobs that follow reach: this one does not start if they would leave the travel. Null for none.</summary>
+    public MotionExtents? Following { get; init; }
 
     /// <summary>The lease of the machine; null: it is acquired from <see cref="Memories"/> for the run.</summary>
     public MachineLease? Lease { get; init; }
