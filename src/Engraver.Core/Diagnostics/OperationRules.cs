@@ -52,6 +52,22 @@ public static class OperationRules
 
     public static readonly DiagnosticRule ToolNotChanged = new("OPR0030", Severity.Warning, "journal", "tool");
 
+    public static readonly DiagnosticRule LinetypeUnknown = new("OPR0040", Severity.Error, "operation", "linetype", "nearest");
+
+    public static readonly DiagnosticRule BlockUnknown = new("OPR0041", Severity.Error, "operation", "block", "nearest");
+
+    public static readonly DiagnosticRule InsertsLeftOut = new("OPR0042", Severity.Error, "operation");
+
+    public static readonly DiagnosticRule GapsClosed = new("OPR0043", Severity.Warning, "operation", "linetype", "gap", "diameter");
+
+    public static readonly DiagnosticRule GapsLeft = new("OPR0044", Severity.Info, "operation", "count", "length");
+
+    public static readonly DiagnosticRule ShapesNotCut = new("OPR0045", Severity.Info, "operation", "linetype");
+
+    public static readonly DiagnosticRule NoDashes = new("OPR0046", Severity.Warning, "operation");
+
+    public static readonly DiagnosticRule HatchesNotRead = new("OPR0047", Severity.Error, "operation");
+
     public static readonly DiagnosticRule StartUnused = new("OPR0050", Severity.Warning, "operation", "count", "x", "y");
 
     public static readonly DiagnosticRule NoCorner = new("OPR0051", Severity.Info, "operation", "count", "x", "y");
@@ -67,6 +83,7 @@ public static class OperationRules
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged,
+        LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
     ];
 }

@@ -28,4 +28,10 @@ public enum CurveType : byte
 
     /// <summary>The letters of an attribute of an insert.</summary>
     Attribute,
+
+    /// <summary>A POINT that is drilled (this and the following without parts, and only in the drawing of a job).</summary>
+    Point,
+
+    /// <summary>An INSERT without curves at whose insertion point is drilled.</summary>
+    Insert,
 }

@@ -28,6 +28,8 @@ public static class CurveTypeName
         CurveType.Text => "TEXT",
         CurveType.MText => "MTEXT",
         CurveType.Attribute => "ATTRIB",
+        CurveType.Point => "POINT",
+        CurveType.Insert => "INSERT",
         _ => throw new UnreachableException(),
     };
 }

@@ -32,6 +32,27 @@ public sealed record Drawing(
     /// <summary>Every POINT, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedPoint> Points { get; init; } = [];
 
+    /// <summary>The linetypes, those of <see cref="Linetype.Standard"/> first.</summary>
+    public IReadOnlyList<Linetype> Linetypes { get; init; } = Linetype.Standard;
+
+    /// <summary>$LTSCALE: scale of the patterns of all linetypes.</summary>
+    public double LinetypeScale { get; init; } = 1.0;
+
+    /// <summary>The different line styles of the entities, <see cref="LineStyle.ByLayer"/> first.</summary>
+    public IReadOnlyList<LineStyle> LineStyles { get; init; } = [LineStyle.ByLayer];
+
+    /// <summary>Names of the blocks.</summary>
+    public IReadOnlyList<string> Blocks { get; init; } = [];
+
+    /// <summary>The different blocks within blocks that are inserted, <see cref="BlockPath.None"/> first.</summary>
+    public IReadOnlyList<BlockPath> BlockPaths { get; init; } = [BlockPath.None];
+
+    /// <summary>Every copy of every block, in drawing order.</summary>
+    public IReadOnlyList<PlacedInsert> Inserts { get; init; } = [];
+
+    /// <summary>False when there were so many inserts that those without curves were left out.</summary>
+    public bool HasAllInserts { get; init; } = true;
+
     /// <summary>Number of the file's points that were kept, whatever edits have done to them since.</summary>
     public int PointsRead { get; init; }
 
@@ -46,6 +67,9 @@ public sealed record Drawing(
 
     /// <summary>The map by which <see cref="Placement"/> placed it, drawing units.</summary>
     public Transform2D PlacementMap { get; init; } = Transform2D.Identity;
+
+    /// <summary>Construction whose outlines were read as areas for operations; it is not cut otherwise.</summary>
+    public CutChoice Areas { get; init; }
 
     /// <summary>Created here and not yet in a file: <see cref="FileName"/> is only its name.</summary>
     public bool IsNew { get; init; }
@@ -97,6 +121,33 @@ public sealed record Drawing(
     {
         ref var entity = ref Entities[entityIndex];
         return entity.Colour.Resolved(Layers[entity.Layer].Colour, DrawingColour.Foreground);
+    }
+
+    /// <summary>The effective linetype of an entity, "by layer" resolved: index into <see cref="Linetypes"/>.</summary>
+    public int LinetypeOf(int entityIndex)
+    {
+        ref var entity = ref Entities[entityIndex];
+        return Effective(LineStyles[entity.LineStyle].Linetype, entity.Layer);
+    }
+
+    /// <summary>The effective linetype of a point.</summary>
+    public int LinetypeOf(in PlacedPoint point) => Effective(point.Linetype, point.Layer);
+
+    private int Effective(int linetype, int layer) => linetype switch
+    {
+        Linetype.ByLayer => Layers[layer].Linetype,
+        Linetype.ByBlock => Linetype.Continuous, // outside blocks there is no insert
+        _ => linetype,
+    };
+
+    /// <summary>True for an outline that only operations may take as an area.</summary>
+    public bool IsAreaOnly(CurveType type) => Areas != CutChoice.None && ((type == CurveType.Hatch && Areas.HasFlag(CutChoice.Hatch)) || (type is CurveType.Solid or CurveType.Trace or CurveType.Face3D && Areas.HasFlag(CutChoice.Solid)));
+
+    /// <summary>Index into <see cref="BlockPaths"/> of the block from which an entity comes; 0 for none.</summary>
+    public int BlockPathOf(int entityIndex)
+    {
+        var insert = Entities[entityIndex].Insert;
+        return insert > 0 ? Inserts[insert - 1].Path : -insert;
     }
 
     /// <summary>A part in plan (z dropped), drawing units.</summary>

@@ -22,7 +22,7 @@ public static class DrawingEdit
             kept.Add(entity);
         }
 
-        return drawing with { Entities = kept, Parts = parts };
+        return drawing with { Entities = kept, Parts = parts, Inserts = new EditedInserts(drawing, erased.Where(index => index < drawing.Entities.Count)).Erased() };
     }
 
     /// <summary>Moves, rotates, scales or mirrors the given entities.</summary>
@@ -30,10 +30,11 @@ public static class DrawingEdit
     public static bool TryTransform(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
     {
         var curves = new EditedCurves(drawing);
-        var changes = entities.Distinct().SelectMany(index => Parts(drawing, index)).Select(part => (part, curves.Transformed(drawing.Parts[part], map))).ToList();
+        IReadOnlyList<int> moved = [.. entities.Distinct()];
+        var changes = moved.SelectMany(index => Parts(drawing, index)).Select(part => (part, curves.Transformed(drawing.Parts[part], map))).ToList();
         edited = drawing;
         if (!changes.TrueForAll(change => change.Item2.InRange) || !curves.AreInRange) return false;
-        edited = drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn() };
+        edited = drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn(), Inserts = new EditedInserts(drawing, moved).Moved(map) };
         return true;
     }
 
@@ -46,9 +47,12 @@ public static class DrawingEdit
         var parts = new List<DrawingPart>();
         var handle = drawing.HighestHandle();
         var curves = new EditedCurves(drawing);
-        foreach (var index in entities.Distinct())
+        IReadOnlyList<int> copied = [.. entities.Distinct()];
+        var inserts = new EditedInserts(drawing, copied).Copied(map, out var copyOf);
+        foreach (var index in copied)
         {
             var entity = drawing.Entities[index];
+            entity.Insert = copyOf(entity.Insert);
             foreach (var part in Parts(drawing, index)) parts.Add(curves.Transformed(drawing.Parts[part], map) with { Entity = drawing.Entities.Count + copies.Count });
             entity.FirstPart = drawing.Parts.Count + parts.Count - entity.PartCount;
             entity.Handle = ++handle;
@@ -57,8 +61,40 @@ public static class DrawingEdit
 
         edited = drawing;
         if (!parts.TrueForAll(part => part.InRange) || !curves.AreInRange) return false;
-        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), Curves = curves.ToColumn() };
+        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), Curves = curves.ToColumn(), Inserts = inserts };
         return true;
+    }
+
+    /// <summary>True when the drawing has inserts without curves, which no edit of curves takes along.</summary>
+    public static bool HasFreeInserts(Drawing drawing) => drawing.Inserts.Count > 0 && FreeInserts(drawing).Any();
+
+    /// <summary>Moves the inserts without curves.</summary>
+    public static Drawing MoveFreeInserts(Drawing drawing, Transform2D map)
+    {
+        var free = FreeInserts(drawing).ToHashSet();
+        return free.Count == 0 ? drawing : drawing with { Inserts = [.. drawing.Inserts.Select((insert, index) => free.Contains(index) ? insert.Moved(map) : insert)] };
+    }
+
+    /// <summary>Adds a copy of each insert without curves for each map.</summary>
+    /// <param name="drawing">The drawing to which they are added.</param>
+    /// <param name="source">The drawing before the edit.</param>
+    public static Drawing CopyFreeInserts(Drawing drawing, Drawing source, IReadOnlyList<Transform2D> maps)
+    {
+        var free = FreeInserts(source).Select(index => source.Inserts[index]).ToList();
+        return free.Count == 0 ? drawing : drawing with { Inserts = [.. drawing.Inserts, .. maps.SelectMany(map => free.Select(insert => insert.Moved(map)))] };
+    }
+
+    /// <summary>Erases the inserts without curves.</summary>
+    public static Drawing EraseFreeInserts(Drawing drawing)
+    {
+        var free = FreeInserts(drawing).ToHashSet();
+        return free.Count == 0 ? drawing : drawing with { Inserts = [.. drawing.Inserts.Select((insert, index) => free.Contains(index) ? insert with { IsErased = true } : insert)] };
+    }
+
+    private static IEnumerable<int> FreeInserts(Drawing drawing)
+    {
+        var edited = new EditedInserts(drawing, []);
+        return Enumerable.Range(0, drawing.Inserts.Count).Where(edited.IsFree);
     }
 
     /// <summary>Reverses the direction of the given entities; a polyline then begins at its last vertex.</summary>

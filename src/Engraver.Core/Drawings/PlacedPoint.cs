@@ -9,6 +9,18 @@ namespace Engraver.Core.Drawings;
 /// <param name="Hidden">Invisible itself, or through its insert.</param>
 public readonly record struct PlacedPoint(Vector3D Position, int Layer, DrawingColour Colour, bool Hidden)
 {
+    /// <summary>Linetype as stated, "by block" resolved: index into <see cref="Drawing.Linetypes"/>.</summary>
+    public int Linetype { get; init; }
+
+    /// <summary>Index into <see cref="Drawing.BlockPaths"/>; 0 for a point of model space.</summary>
+    public int BlockPath { get; init; }
+
+    /// <summary>0 when it has none.</summary>
+    public ulong Handle { get; init; }
+
+    /// <summary>Line of the file where it begins (inside a block: the block's point).</summary>
+    public int SourceLine { get; init; }
+
     /// <summary>The position in plan.</summary>
     public Point2D Plan => new(Position.X, Position.Y);
 

@@ -58,6 +58,9 @@ public sealed record PlacedText
     /// <summary>As stated, "by block" resolved; by layer where none is stated.</summary>
     public DrawingColour Colour { get; init; }
 
+    /// <summary>Index into <see cref="Drawing.BlockPaths"/>; 0 for a text of model space.</summary>
+    public int BlockPath { get; init; }
+
     /// <summary>Index into <see cref="Drawing.Layers"/>.</summary>
     public required int Layer { get; init; }
 

@@ -9,7 +9,7 @@ using Engraver.Core.Dxf.Text;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and passes them to a target.</summary>
-internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, LinetypeTable linetypes, CutChoice cut)
+internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, LinetypeTable linetypes, LineStyleTable styles, CutChoice cut, CutChoice areas)
 {
     private readonly EntityRecord _record = new();
     private readonly EntityRecord _part = new();
@@ -27,7 +27,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (_record.Kind == RecordKind.Insert) AddInsert(target, attributes);
         else if (DrawsCurve()) AddCurve(target);
         else if (_record.Kind == RecordKind.Dimension && cut.HasFlag(CutChoice.Dimension)) AddDimension(target);
-        else if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
+        else if ((RecordKinds.ChoiceOf(_record.Kind) & (cut | areas)) != 0) AddOutlines(target);
         else AddOther(target);
     }
 
@@ -71,6 +71,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         }
 
         if (lengths.Find(_record, _mapper.Shape) is { } lost) _mapper.Shape.Warnings.Add(lost);
+        _record.LineStyle = styles.NumberOf(_record);
         if (linetypes.Find(_record) is { } dashed) _mapper.Shape.Warnings.Add(dashed);
         target.AddCurve(_record, _mapper.Shape);
     }
@@ -98,9 +99,11 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
     private void AddOutlines(IContentTarget target)
     {
         outlines.Map(_record);
+        _record.LineStyle = styles.NumberOf(_record);
         List<RecordIssue> lost = _record.Fault is null ? [.. lengths.FindAll(_record, outlines.Shapes)] : [];
         outlines.Finish(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
+        else if ((RecordKinds.ChoiceOf(_record.Kind) & areas) != 0) target.AddAreas(_record, outlines.Shapes);
         else target.AddCurves(_record, outlines.Shapes);
         if (_record.Warning is { } odd) target.Note(odd);
         foreach (var issue in lost) target.Note(issue);

@@ -27,6 +27,10 @@ internal sealed class DrawingImport
     private readonly PointExpander _points;
     private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
+    private readonly LinetypeTable _linetypes;
+    private readonly LineStyleTable _lineStyles = new();
+    private readonly BlockPathTable _paths = new();
+    private readonly BlockExpander _blocks;
     private readonly ReadTally _balance;
     private readonly ModelSpaceContent _modelSpace;
     private readonly List<(int Position, int Line)> _postponed = [];
@@ -43,18 +47,18 @@ internal sealed class DrawingImport
         _log = new ImportLog(tags.IsBinary ? Wording.Get("DrawingImport.Byte") : Wording.Get("DrawingImport.Line"));
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Read(tags, cancellation) : new MultiLineStyles();
-        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.DecodeRaw, options.Cut, _log, cancellation) { Progress = options.Progress };
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.DecodeRaw, options.Cut | options.Areas, _log, cancellation) { Progress = options.Progress };
         _layers = new LayerTable(_records.Layers);
-        var linetypes = new LinetypeTable(_records.Linetypes, _layers);
-        _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), new LengthCheck(_layers), linetypes, options.Cut);
+        _linetypes = new LinetypeTable(_records.Linetypes, _layers);
+        _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), new LengthCheck(_layers), _linetypes, _lineStyles, options.Cut, options.Areas & ~options.Cut);
         _balance = new ReadTally(_log);
         var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
-        _definitions = new DefinitionReader(_records, _content, _styles, _layers, linetypes, blocks, blockCurves, _balance, _log);
-        var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
-        _texts = new TextExpander(blocks, _layers, cancellation);
-        _points = new PointExpander(blocks, _layers, cancellation);
-        _construction = new ConstructionTally(blocks, _layers, cancellation);
-        _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _points, _construction, _balance, _log);
+        _definitions = new DefinitionReader(_records, _content, _styles, _layers, _linetypes, blocks, blockCurves, _balance, _log);
+        _blocks = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _lineStyles, _paths, _balance, options.MaxExpandedCurves, cancellation);
+        _texts = new TextExpander(blocks, _layers, _paths, cancellation);
+        _points = new PointExpander(blocks, _layers, _paths, cancellation);
+        _construction = new ConstructionTally(blocks, _layers, _paths, cancellation);
+        _modelSpace = new ModelSpaceContent(_curves, _blocks, _paths, _texts, _points, _construction, _balance, _log);
     }
 
     /// <summary>Reads all sections; false when there is none and the file is therefore not a DXF.</summary>
@@ -100,6 +104,14 @@ internal sealed class DrawingImport
             PointsRead = _points.Placed.Count,
             Construction = _construction.ToCounts(),
             Cut = _options.Cut,
+            Areas = _options.Areas & ~_options.Cut,
+            Linetypes = _linetypes.ToLinetypes(),
+            LinetypeScale = _header.LinetypeScale,
+            LineStyles = _lineStyles.Styles,
+            Blocks = _records.Blocks.ToList(),
+            BlockPaths = _paths.Paths,
+            Inserts = _blocks.Inserts,
+            HasAllInserts = !_blocks.LeftOut,
         };
     }
 

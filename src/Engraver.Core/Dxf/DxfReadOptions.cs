@@ -11,6 +11,9 @@ public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpa
 {
     public static DxfReadOptions Default { get; } = new();
 
+    /// <summary>Construction whose outlines are read as areas for operations; it is not cut otherwise.</summary>
+    public CutChoice Areas { get; init; }
+
     /// <summary>Receives the part of the file that has been read, 0 to 1, about a hundred times, on the reading thread; null for none.</summary>
     public IProgress<double>? Progress { get; init; }
 }

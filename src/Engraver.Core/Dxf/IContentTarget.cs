@@ -16,6 +16,9 @@ internal interface IContentTarget
     /// <summary>Several curves of one record (the loops of a hatch boundary).</summary>
     void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes);
 
+    /// <summary>Outlines of construction that only operations may take.</summary>
+    void AddAreas(EntityRecord record, IReadOnlyList<CurveShape> shapes);
+
     void AddInsert(EntityRecord record, in BlockInsert insert, int attributes);
 
     /// <summary>A text, point, dimension or other construction: drawn, not cut.</summary>

@@ -18,7 +18,7 @@ internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int L
         var taken = selection.Taken(drawing.Layers);
         for (var entity = 0; entity < drawing.Entities.Count; entity++)
         {
-            if (!drawing.Entities[entity].Hidden && taken[drawing.Entities[entity].Layer]) survey.Add(entity);
+            if (!drawing.Entities[entity].Hidden && taken[drawing.Entities[entity].Layer] && !drawing.IsAreaOnly(drawing.Entities[entity].Type)) survey.Add(entity);
         }
 
         return survey.ToExtent();

@@ -17,7 +17,20 @@ public static class EntityTableBuilder
         var table = new EntityTable();
         for (var entity = 0; entity < drawing.Entities.Count; entity++)
         {
-            if (IsCut(drawing.Entities[entity], taken)) AppendParts(table, drawing, entity);
+            if (IsCut(drawing.Entities[entity], taken) && !drawing.IsAreaOnly(drawing.Entities[entity].Type)) AppendParts(table, drawing, entity);
+        }
+
+        return table;
+    }
+
+    /// <summary>The rows of the outlines of HATCH, SOLID and TRACE on the selected layers, whether these are cut otherwise or not.</summary>
+    public static EntityTable BuildAreas(Drawing drawing, LayerSelection selection)
+    {
+        var taken = selection.Taken(drawing.Layers);
+        var table = new EntityTable();
+        for (var entity = 0; entity < drawing.Entities.Count; entity++)
+        {
+            if (IsCut(drawing.Entities[entity], taken) && drawing.Entities[entity].Type is CurveType.Hatch or CurveType.Solid or CurveType.Trace) AppendParts(table, drawing, entity);
         }
 
         return table;

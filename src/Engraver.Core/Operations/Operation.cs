@@ -59,6 +59,12 @@ public sealed record Operation
     /// <summary>Side of a profile.</summary>
     public ProfileSide Side { get; init; } = ProfileSide.Nesting;
 
+    /// <summary>An engraving cuts the dashes of linetypes and leaves their gaps.</summary>
+    public bool CutsDashes { get; init; }
+
+    /// <summary>A pocket or fill takes the areas of hatches and solids of its selection, and no curves.</summary>
+    public bool TakesHatches { get; init; }
+
     /// <summary>Distance of neighbouring passes of a pocket as a fraction of the tool's diameter, above 0 and below 1.</summary>
     public double Stepover { get; init; } = 0.4;
 

@@ -16,6 +16,10 @@ public sealed record OperationAssignment
     /// <summary>Entities that no operation takes, each once.</summary>
     public required IReadOnlyList<int> NotTaken { get; init; }
 
+    /// <summary>The drawing, with an entity for each place that is drilled; points and hatches that operations take are no longer among what is not
+    /// cut.</summary>
+    public required Drawing Drawing { get; init; }
+
     /// <summary>The contours of every part that is profiled or cleared, also with another tool: leads keep away from them.</summary>
     public required IReadOnlyList<Segment> Contours { get; init; }
 
@@ -28,53 +32,109 @@ public sealed record OperationAssignment
     /// <param name="analysed">The rows of the layers that are cut.</param>
     /// <param name="drawing">The drawing of the entity indices.</param>
     /// <param name="tool">Number of the tool of the job: operations of other tools take their curves and are not run; 0: every tool.</param>
-    public static OperationAssignment Of(EntityTable analysed, Drawing drawing, OperationPlan plan, MachineProfile machine, MachineLimits limits, int tool)
+    /// <param name="layers">The layers that are cut, for points and inserts.</param>
+    /// <param name="reserved">Number of entities of the document: those that are added for places are behind them.</param>
+    public static OperationAssignment Of(EntityTable analysed, Drawing drawing, OperationPlan plan, MachineProfile machine, MachineLimits limits, int tool, LayerSelection layers, int reserved = 0)
     {
+        ArgumentNullException.ThrowIfNull(layers);
         ArgumentNullException.ThrowIfNull(analysed);
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(plan);
-        var named = plan.Operations.Select(operation => (Operation: operation, Takes: operation.Select.NamedIn(drawing))).ToList();
-        var rows = plan.Active(0).ToDictionary(operation => operation, _ => new List<int>());
+        var named = plan.Operations.Select(operation => (Operation: operation, Names: operation.Select.In(drawing))).ToList();
+        var taken = plan.Active(0).ToDictionary(operation => operation, _ => new TakenContent());
         var notTaken = new SortedDictionary<int, double>();
         for (var row = 0; row < analysed.Count; row++)
         {
             var entity = analysed.EntityIndexOf(row);
-            var isNamed = named.Any(one => one.Takes(entity));
+            var isNamed = named.Any(one => one.Names.Has(entity));
             var isTaken = false;
-            foreach (var (operation, takes) in named)
+            foreach (var (operation, names) in named)
             {
-                if (!operation.IsOn || !(operation.Select.IsRest ? !isNamed : takes(entity))) continue;
-                rows[operation].Add(row);
+                if (!operation.IsOn || !(operation.Select.IsRest ? !isNamed : names.Has(entity))) continue;
+                if (operation.TakesHatches)
+                {
+                    isTaken |= drawing.Entities[entity].Type is CurveType.Hatch or CurveType.Solid or CurveType.Trace; // its areas are taken below
+                    continue;
+                }
+
+                taken[operation].Rows.Add(row);
+                if (operation.Kind == OperationKind.Drill && names.IsOfBlock(entity)) taken[operation].RowsOfBlocks.Add(row);
                 isTaken = true;
             }
 
             if (!isTaken) notTaken[entity] = notTaken.GetValueOrDefault(entity) + analysed[row].ToSegment().Length;
         }
 
-        IReadOnlyList<Segment> contours = [.. rows.Where(entry => entry.Key.Kind is OperationKind.Profile or OperationKind.Pocket).SelectMany(entry => entry.Value).Distinct().Order().Select(row => analysed[row].ToSegment())];
-        foreach (var other in rows.Keys.Except(plan.Active(tool)).ToList()) rows.Remove(other);
+        var areas = plan.Areas == CutChoice.None ? new EntityTable() : ArcAnalysis.Analyse(EntityTableBuilder.BuildAreas(drawing, layers));
+        for (var row = 0; row < areas.Count; row++)
+        {
+            var entity = areas.EntityIndexOf(row);
+            var isNamed = named.Any(one => one.Names.Has(entity));
+            foreach (var (operation, names) in named.Where(one => one.Operation is { IsOn: true, TakesHatches: true }))
+            {
+                if (operation.Select.IsRest ? !isNamed : names.Has(entity)) taken[operation].Areas.Add(row);
+            }
+        }
+
+        var placed = new PlacedContent(drawing, analysed, layers.Taken(drawing.Layers), reserved);
+        TakePlaces(named, taken, placed, drawing);
+        IReadOnlyList<Segment> contours = [.. taken.Where(entry => entry.Key.Kind is OperationKind.Profile or OperationKind.Pocket).SelectMany(entry => entry.Value.Rows).Distinct().Order().Select(row => analysed[row].ToSegment()), .. taken.Where(entry => entry.Key.Kind == OperationKind.Pocket).SelectMany(entry => entry.Value.Areas).Distinct().Order().Select(row => areas[row].ToSegment())];
+        var drilled = taken.Values.SelectMany(one => one.Points.Concat(one.PointsOfBlocks)).Distinct().ToList();
+        var filled = taken.Values.SelectMany(one => one.Areas).Select(areas.EntityIndexOf).Distinct().ToList();
+        foreach (var other in taken.Keys.Except(plan.Active(tool)).ToList()) taken.Remove(other);
         return new OperationAssignment
         {
-            Parts = [.. rows.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), analysed.Picking([.. entry.Value])))],
+            Parts =
+            [
+                .. taken.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), entry.Key.TakesHatches ? areas.Picking([.. entry.Value.Areas]) : analysed.Picking([.. entry.Value.Rows.Where(row => !entry.Value.RowsOfBlocks.Contains(row))]))
+                {
+                    Places = [.. entry.Value.Points.Select(placed.AtPoint), .. entry.Value.Inserts.Select(placed.AtInsert)],
+                }),
+            ],
+            Drawing = placed.ToDrawing(drilled, filled),
             NotTaken = [.. notTaken.Keys],
             Contours = contours,
-            Findings = [.. FindingsOf(rows, plan), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
+            Findings = [.. FindingsOf(taken, plan), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
             Faults = [.. FaultsOf(drawing, plan, machine, limits, tool)],
         };
     }
 
-    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, List<int>> rows, OperationPlan plan)
+    /// <summary>The points and insertion points of the drills. Other operations do not take points.</summary>
+    private static void TakePlaces(List<(Operation Operation, SelectedContent Names)> named, Dictionary<Operation, TakenContent> taken, PlacedContent placed, Drawing drawing)
     {
-        foreach (var (operation, taken) in rows)
+        if (!named.Exists(one => one.Operation is { IsOn: true, Kind: OperationKind.Drill })) return;
+        foreach (var index in placed.Points)
         {
-            if (taken.Count == 0) yield return OperationRules.TakesNothing.At(default, operation.Title);
+            var point = drawing.Points[index];
+            var isNamed = named.Exists(one => one.Names.Has(point));
+            foreach (var (operation, names) in named.Where(one => one.Operation is { IsOn: true, Kind: OperationKind.Drill }))
+            {
+                if (operation.Select.IsRest ? isNamed : !names.Has(point)) continue;
+                (names.IsOfBlock(point) ? taken[operation].PointsOfBlocks : taken[operation].Points).Add(index);
+            }
+        }
+
+        foreach (var index in placed.Inserts)
+        {
+            foreach (var (operation, names) in named.Where(one => one.Operation is { IsOn: true, Kind: OperationKind.Drill }))
+            {
+                if (names.Has(drawing.Inserts[index])) taken[operation].Inserts.Add(index);
+            }
+        }
+    }
+
+    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, TakenContent> content, OperationPlan plan)
+    {
+        foreach (var (operation, taken) in content)
+        {
+            if (taken.IsEmpty) yield return OperationRules.TakesNothing.At(default, operation.Title);
             if (plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
         }
 
-        var active = rows.Keys.ToList();
+        var active = content.Keys.ToList();
         foreach (var (one, other) in active.SelectMany((one, index) => active.Skip(index + 1).Where(other => (other.Kind, other.Tool, other.Depth) == (one.Kind, one.Tool, one.Depth)).Select(other => (one, other))))
         {
-            if (rows[one].Intersect(rows[other]).Count() is > 0 and var count) yield return OperationRules.CutTwice.At(default, one.Title, other.Title, FactText.Of(count));
+            if (content[one].SharedWith(content[other]) is > 0 and var count) yield return OperationRules.CutTwice.At(default, one.Title, other.Title, FactText.Of(count));
         }
     }
 
@@ -84,6 +144,10 @@ public sealed record OperationAssignment
         foreach (var operation in plan.Operations)
         {
             foreach (var layer in operation.Select.UnknownLayers(drawing)) yield return OperationRules.LayerUnknown.At(default, operation.Title, layer, JsonFields.Nearest(layer, [.. drawing.Layers.Select(known => known.Name)]));
+            foreach (var linetype in operation.Select.UnknownLinetypes(drawing)) yield return OperationRules.LinetypeUnknown.At(default, operation.Title, linetype, JsonFields.Nearest(linetype, OperationSelection.LinetypesOf(drawing)));
+            foreach (var block in operation.Select.UnknownBlocks(drawing)) yield return OperationRules.BlockUnknown.At(default, operation.Title, block, JsonFields.Nearest(block, OperationSelection.BlocksOf(drawing)));
+            if (operation is { IsOn: true, TakesHatches: true } && !drawing.IsNew && !(drawing.Cut | drawing.Areas).HasFlag(CutChoice.Hatch | CutChoice.Solid)) yield return OperationRules.HatchesNotRead.At(default, operation.Title);
+            if (operation.Kind == OperationKind.Drill && operation.Select.Blocks.Count > 0 && !drawing.HasAllInserts) yield return OperationRules.InsertsLeftOut.At(default, operation.Title);
             foreach (var handle in operation.Select.UnknownHandles(drawing)) yield return OperationRules.HandleUnknown.At(default, operation.Title, handle);
         }
 

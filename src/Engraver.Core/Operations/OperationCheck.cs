@@ -34,7 +34,7 @@ public static class OperationCheck
         {
             var passes = own[shape.Operation.Id].GroupBy(stroke => stroke.Pass.Pass, stroke => (stroke.Stroke, Index: stroke.Pass.Stroke)).OrderBy(pass => pass.Key).Select(pass => pass.ToList()).ToList();
             if (passes.SelectMany(pass => pass).Select(stroke => stroke.Stroke).FirstOrDefault(stroke => (stroke.PierceSeconds, stroke.DwellSeconds) != (shape.Operation.PierceSeconds, shape.Operation.DwellSeconds)) is { } unlike) findings.Add(NotAsStated(shape, "wait", unlike.Start));
-            findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, [.. passes.Select(pass => pass.ConvertAll(stroke => stroke.Stroke))]) : PassFindings(shape, leads, passes, tolerances, sourceOf));
+            findings.AddRange(shape.Operation.Kind == OperationKind.Drill ? DrillFindings(shape, [.. passes.Select(pass => pass.ConvertAll(stroke => stroke.Stroke))], tolerances) : PassFindings(shape, leads, passes, tolerances, sourceOf));
         }
 
         return findings;
@@ -132,8 +132,9 @@ public static class OperationCheck
     }
 
     /// <summary>Each hole once, straight down to its depth.</summary>
-    private static IEnumerable<Diagnostic> DrillFindings(ShapedOperation shape, List<List<ToolpathStroke>> passes)
+    private static IEnumerable<Diagnostic> DrillFindings(ShapedOperation shape, List<List<ToolpathStroke>> passes, ToolpathTolerances tolerances)
     {
+        foreach (var place in WrongPlaces(shape, tolerances.MaxError)) yield return NotAsStated(shape, "hole", place);
         var wanted = Enumerable.Range(0, shape.Path.Count).Select(row => shape.Path[row].StartPoint).ToHashSet();
         foreach (var pass in passes)
         {
@@ -149,6 +150,36 @@ public static class OperationCheck
         }
 
         if (wanted.Count > 0 && passes.Count != shape.Operation.Repeats) yield return NotAsStated(shape, "passes", default);
+    }
+
+    /// <summary>Circles, points and insertion points without a hole, and holes without one of these or nearer to each other than the tolerance.</summary>
+    private static IEnumerable<Point2D> WrongPlaces(ShapedOperation shape, double tolerance)
+    {
+        var (table, most) = (shape.Part.Table, shape.Operation.MaxDiameter ?? double.PositiveInfinity);
+        Point2D[] drawn =
+        [
+            .. Enumerable.Range(0, table.Count).Select(row => table[row].ToSegment()).Where(segment => segment is { IsClosed: true, Kind: SegmentKind.Circle } && segment.Bounds.Width <= most).Select(circle => Middle(circle.PointAt(0.0), circle.PointAt(0.5))),
+            .. shape.Part.Places.Select(place => place.Place),
+        ];
+        Point2D[] holes = [.. Enumerable.Range(0, shape.Path.Count).Select(row => shape.Path[row].StartPoint)];
+        foreach (var (from, to) in ((Point2D[], Point2D[])[])[(drawn, holes), (holes, drawn)])
+        {
+            var boxes = BoxTree.Build(to);
+            foreach (var place in from)
+            {
+                if (boxes.Nearest(place, (item, at) => to[item].DistanceTo(at), double.PositiveInfinity, out var distance) < 0 || distance > tolerance) yield return place;
+            }
+        }
+
+        var others = BoxTree.Build(holes);
+        for (var hole = 0; hole < holes.Length; hole++)
+        {
+            others.Hide(hole);
+            if (others.Nearest(holes[hole], (item, at) => holes[item].DistanceTo(at), double.PositiveInfinity, out var distance) >= 0 && distance < tolerance) yield return holes[hole];
+            others.Show(hole);
+        }
+
+        static Point2D Middle(Point2D one, Point2D other) => new((one.X + other.X) / 2.0, (one.Y + other.Y) / 2.0);
     }
 
     private static Diagnostic NotAsStated(ShapedOperation shape, string what, Point2D place) =>

@@ -31,12 +31,12 @@ public static class OperationFile
     private static readonly string[] s_startFields = ["rule", "at", "within"];
     private static readonly string[] s_tabFields = ["count", "spacing", "at", "within", "width", "height", "shape", "angle"];
     private static readonly string[] s_rampFields = ["angle"];
-    private static readonly string[] s_selectFields = ["layers", "colours", "handles"];
+    private static readonly string[] s_selectFields = ["layers", "colours", "linetypes", "blocks", "handles"];
 
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
-        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
+        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
     /// <summary>The fields that an operation of a kind may have, in the order in which they are described.</summary>
@@ -220,6 +220,8 @@ public static class OperationFile
             Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
             Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,
+            CutsDashes = of.Switch("dashes", false),
+            TakesHatches = of.Switch("hatches", false),
             Spacing = of.Number("spacing", 0.0, 1e3, includesLowest: false) ?? 0.0,
             Pattern = of.Choice<FillPattern>("pattern") ?? FillPattern.Lines,
             IsCross = of.Switch("cross", false),
@@ -348,9 +350,11 @@ public static class OperationFile
         {
             Layers = fields.Texts("layers", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
             Colours = fields.Texts("colours", OperationSelection.IsColour, Wording.Get("OperationFile.Colour")),
+            Linetypes = fields.Texts("linetypes", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
+            Blocks = fields.Texts("blocks", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
             Handles = fields.Texts("handles", OperationSelection.IsHandle, Wording.Get("OperationFile.Handle")),
         };
-        if (select.ValueKind == JsonValueKind.Object && named.Layers.Count + named.Colours.Count + named.Handles.Count == 0) of.Invalid(of.PathOf("select"), OperationFields.Shown(select), Wording.Get("OperationFile.Select"));
+        if (select.ValueKind == JsonValueKind.Object && named.IsEmpty) of.Invalid(of.PathOf("select"), OperationFields.Shown(select), Wording.Get("OperationFile.Select"));
         return named;
     }
 

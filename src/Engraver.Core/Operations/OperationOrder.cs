@@ -44,6 +44,7 @@ public static class OperationOrder
         {
             OperationKind.Fill when shape.Operation.Pattern == FillPattern.Lines => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = 0.0 },
             OperationKind.Profile or OperationKind.Fill => options with { KeepDuplicates = true, ArcTolerance = null, JoinTolerance = Math.Min(options.JoinTolerance, ExactJoint) },
+            _ when shape.Operation.CutsDashes => options with { ArcTolerance = null, JoinTolerance = Math.Min(options.JoinTolerance, ExactJoint) },
             _ => options,
         };
         var sequence = Sequencer.Sequence(shape.Path, drawing, exact);
@@ -55,7 +56,7 @@ public static class OperationOrder
         }
 
         var path = shape.Operation is { Kind: OperationKind.Profile, Direction: not CutDirection.Any } ? Directed(sequence.Table, strokes, shape.Operation) : sequence.Table;
-        return new OrderedOperation(shape, path, strokes) { Reversed = sequence.Reversed, DuplicatesRemoved = sequence.DuplicatesRemoved, Diagnostics = shape.Operation.Kind == OperationKind.Fill ? [] : sequence.Diagnostics };
+        return new OrderedOperation(shape, path, strokes) { Reversed = sequence.Reversed, DuplicatesRemoved = sequence.DuplicatesRemoved, Diagnostics = shape.Operation.Kind == OperationKind.Fill || shape.Operation.CutsDashes ? [] : sequence.Diagnostics };
     }
 
     /// <summary>The closed strokes of a profile in the direction that leaves the wall on the right (climb) or on the left.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Operations;
@@ -18,6 +19,9 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
 
     /// <summary>The tools of the library, with the feeds of the chosen material.</summary>
     public IReadOnlyList<CuttingTool> Tools { get; }
+
+    /// <summary>Construction whose outlines a drawing must have for these operations.</summary>
+    public CutChoice Areas => Operations.Any(operation => operation.TakesHatches) ? CutChoice.Hatch | CutChoice.Solid : CutChoice.None;
 
     /// <summary>The operations that are run.</summary>
     /// <param name="tool">Number of the tool of the job; 0: every tool.</param>

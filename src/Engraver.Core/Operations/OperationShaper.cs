@@ -22,13 +22,14 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
     public ShapedOperation Shape(OperationPart part)
     {
         ArgumentNullException.ThrowIfNull(part);
-        if (part.Table.Count == 0) return new ShapedOperation(part, EntityTable.Empty, null);
+        if (part.Table.Count + part.Places.Count == 0) return new ShapedOperation(part, EntityTable.Empty, null);
         return part.Operation.Kind switch
         {
             OperationKind.Profile => Profile(part),
-            OperationKind.Pocket => Pocket(part),
-            OperationKind.Fill => Fill(part),
+            OperationKind.Pocket => OfAreas(part, Pocket),
+            OperationKind.Fill => OfAreas(part, Fill),
             OperationKind.Drill => Drill(part),
+            _ when part.Operation.CutsDashes => new DashedCurves(drawing, maxErrorMm).Shape(part),
             _ => new ShapedOperation(part, AtHeight(part.Table), null),
         };
     }
@@ -49,6 +50,27 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         var faults = kerf.Diagnostics.Where(finding => finding.Severity == Severity.Error).ToList();
         if (kerf.HasOpenContours) faults.AddRange(chained.Chain.Contours.Where(contour => !contour.Closed).Select(contour => OpenContour(operation, chained, contour)));
         return new ShapedOperation(part, kerf.Table, null) { Findings = [.. chained.Diagnostics, .. kerf.Diagnostics.Where(finding => finding.Severity != Severity.Error && finding.Rule != KerfRules.OpenOnLine)], Faults = faults, Uncut = kerf.Uncut };
+    }
+
+    /// <summary>The shape of the contours together, or of each hatch or solid alone: its loops are islands of no other.</summary>
+    private ShapedOperation OfAreas(OperationPart part, Func<OperationPart, ShapedOperation> shape)
+    {
+        if (!part.Operation.TakesHatches) return shape(part);
+        var shapes = Enumerable.Range(0, part.Table.Count).GroupBy(row => RecordOf(part.Table.EntityIndexOf(row)))
+            .Select(area => shape(part with { Table = part.Table.Picking([.. area]) })).ToList();
+        var path = new EntityTable();
+        foreach (var one in shapes.Select(one => one.Path))
+        {
+            for (var row = 0; row < one.Count; row++) path.Append(one.CopySlots(row), one.EntityIndexOf(row), one.CurveOf(row));
+        }
+
+        return new ShapedOperation(part, path, shapes.Exists(one => one.Strokes is not null) ? [.. shapes.SelectMany(one => one.Strokes ?? [])] : null)
+        {
+            Findings = [.. shapes.SelectMany(one => one.Findings)],
+            Faults = [.. shapes.SelectMany(one => one.Faults)],
+        };
+
+        (int, int) RecordOf(int entity) => (drawing.Entities[entity].SourceLine, drawing.Entities[entity].Insert);
     }
 
     private ShapedOperation Pocket(OperationPart part)
@@ -159,15 +181,22 @@ public sealed class OperationShaper(Drawing drawing, SequencingOptions options, 
         return ([.. offset.Loops.Select(loop => new OffsetContour(loop.Segments, true))], offset.Unresolved);
     }
 
-    /// <summary>One row without length at the centre of each circle; a circle that is drawn twice is drilled once.</summary>
+    /// <summary>One row without length at the centre of each circle, at each point and insertion point; a place that is named twice is drilled once.</summary>
     private ShapedOperation Drill(OperationPart part)
     {
-        var (path, other, centres) = (new EntityTable(), new List<int>(), new HashSet<Point2D>());
+        var (path, other, places) = (new EntityTable(), new List<int>(), new DistinctPlaces(options.DuplicateTolerance));
         for (var row = 0; row < part.Table.Count; row++)
         {
             var segment = part.Table[row].ToSegment();
             if (segment.Kind != SegmentKind.Circle || 2.0 * segment.Arc.Radius > part.Operation.MaxDiameter) other.Add(row);
-            else if (centres.Add(segment.Arc.Centre)) path.Append(EntitySlots.Of(Segment.FromLine(segment.Arc.Centre, segment.Arc.Centre), 0.0), part.Table.EntityIndexOf(row), null);
+            else Add(segment.Arc.Centre, part.Table.EntityIndexOf(row));
+        }
+
+        foreach (var (place, entity) in part.Places) Add(place, entity);
+
+        void Add(Point2D place, int entity)
+        {
+            if (places.Add(place)) path.Append(EntitySlots.Of(Segment.FromLine(place, place), 0.0), entity, null);
         }
 
         var first = other.Count > 0 ? part.Table[other[0]].StartPoint : default;

@@ -66,6 +66,8 @@ internal static class OperationText
         if (operation.Direction != CutDirection.Any) writer.WriteString("direction", OperationFields.WordOf(operation.Direction));
         if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
         if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));
+        if (operation.CutsDashes) writer.WriteBoolean("dashes", true);
+        if (operation.TakesHatches) writer.WriteBoolean("hatches", true);
         if (operation.Kind == OperationKind.Pocket) WritePocket(writer, operation);
         if (operation.Kind == OperationKind.Fill) WriteFill(writer, operation);
         Write(writer, "leadIn", operation.LeadIn);
@@ -171,7 +173,7 @@ internal static class OperationText
         }
 
         writer.WriteStartObject("select");
-        foreach (var (name, texts) in ((string, IReadOnlyList<string>)[])[("layers", selection.Layers), ("colours", selection.Colours), ("handles", selection.Handles)])
+        foreach (var (name, texts) in ((string, IReadOnlyList<string>)[])[("layers", selection.Layers), ("colours", selection.Colours), ("linetypes", selection.Linetypes), ("blocks", selection.Blocks), ("handles", selection.Handles)])
         {
             if (texts.Count == 0) continue;
             writer.WriteStartArray(name);

@@ -14,7 +14,7 @@ public static class DrawingFile
     /// <param name="progress">Receives the fraction read, 0 to 1; null for none.</param>
     /// <returns>Placed; its findings name places in the coordinates of the file.</returns>
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
-        PlacedDrawing.Of(Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation), settings);
+        PlacedDrawing.Of(Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Areas = settings.Operations?.Areas ?? CutChoice.None, Progress = progress }, cancellation), settings);
 
     /// <summary>True if no part of the file could be read. Results of an earlier drawing must then not be overwritten with empty ones.</summary>
     public static bool IsUnreadable(Drawing drawing)

@@ -23,12 +23,14 @@ public static class EditedDrawing
         var shown = hiddenObjects.ToHashSet();
         var entities = new List<DxfSheetEntity>(drawing.Entities.Count);
         for (var index = 0; index < drawing.Entities.Count; index++) entities.AddRange(Written(drawing, index, drawing.Entities[index].Hidden && !shown.Contains(index)));
-        return new DxfSheet([.. drawing.Layers.Select(LayerOf)], entities)
+        return new DxfSheet([.. drawing.Layers.Select(layer => LayerOf(drawing, layer))], entities)
         {
             InsUnits = drawing.Unit.Code is > 0 and var code ? code : drawing.Unit == LengthUnit.AssumedInches ? Inches : Millimetres,
             Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
             TextStyles = drawing.Styles,
-            Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name))],
+            Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name, NameOf(drawing, point.Linetype)))],
+            Linetypes = [.. drawing.Linetypes.Skip(Linetype.Standard.Count)],
+            LinetypeScale = drawing.LinetypeScale,
         };
     }
 
@@ -46,26 +48,54 @@ public static class EditedDrawing
             next += count;
         }
 
+        foreach (var (point, handle) in drawing.Points.Zip(sheet.PointHandles))
+        {
+            if (point.Handle == 0) continue;
+            var read = point.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture);
+            handles[read] = [.. handles.GetValueOrDefault(read, []), handle];
+        }
+
         return handles;
     }
 
-    private static DxfSheetLayer LayerOf(Layer layer) =>
-        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb };
+    private static DxfSheetLayer LayerOf(Drawing drawing, Layer layer) =>
+        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb, Linetype = drawing.Linetypes[layer.Linetype].Name };
+
+    private static string? NameOf(Drawing drawing, int linetype) => linetype == Linetype.ByLayer ? null : drawing.Linetypes[linetype].Name;
 
     /// <summary>The entity, or its individual parts if DXF has no such polyline.</summary>
     private static IEnumerable<DxfSheetEntity> Written(Drawing drawing, int index, bool hidden)
     {
         var entity = drawing.Entities[index];
+        var (style, inserts) = (drawing.LineStyles[entity.LineStyle], InsertsOf(drawing, entity.Insert));
         Segment[] segments = [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
         var heights = Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => HeightsOf(drawing.Parts[part])).ToArray();
         if (entity.Type is not (CurveType.LwPolyline or CurveType.Polyline) || !DxfPolylineWriter.CanWrite(segments, entity.Closed)) return Enumerable.Range(0, segments.Length).Select(Made);
-        var run = Made(0) with { Run = segments, Closed = entity.Closed };
+        var run = Made(0) with { Run = segments, Closed = entity.Closed, RunsThrough = style.RunsThrough };
         if (Array.TrueForAll(heights, height => height.Start == heights[0].Start && height.End == heights[0].Start)) return [run];
         var inSpace = Array.TrueForAll(segments, segment => segment.Kind == SegmentKind.Line);
         double[] vertices = [.. heights.Select(height => height.Start), .. entity.Closed ? [] : new[] { heights[^1].End }];
         return inSpace ? [run with { Heights = vertices }] : Enumerable.Range(0, segments.Length).Select(Made);
 
-        DxfSheetEntity Made(int part) => new(segments[part], drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden, Z = heights[part], Source = drawing.SourceOf(index) };
+        DxfSheetEntity Made(int part) => new(segments[part], drawing.Layers[entity.Layer].Name, null, 0, 0)
+        {
+            Colour = entity.Colour,
+            Linetype = NameOf(drawing, style.Linetype),
+            LinetypeScale = style.Scale == 1.0 ? null : style.Scale,
+            Inserts = inserts,
+            Hidden = hidden,
+            Z = heights[part],
+            Source = drawing.SourceOf(index),
+        };
+    }
+
+    /// <summary>The inserts of an entity, the outermost first; null for none.</summary>
+    private static List<DxfSheetInsert>? InsertsOf(Drawing drawing, int insert)
+    {
+        if (insert <= 0) return null;
+        var inserts = new List<DxfSheetInsert>();
+        for (var number = insert; number > 0; number = drawing.Inserts[number - 1].Around) inserts.Insert(0, new DxfSheetInsert(drawing.Blocks[drawing.BlockPaths[drawing.Inserts[number - 1].Path].Block], number, drawing.Inserts[number - 1].Position));
+        return inserts;
     }
 
     private static (double Start, double End) HeightsOf(in DrawingPart part) => part.Kind == SegmentKind.Line ? (part.C, part.F) : part.IsFreeCurve ? default : (part.C, part.C);

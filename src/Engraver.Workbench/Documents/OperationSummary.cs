@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Documents;
 /// <summary>What one operation cuts in a job.</summary>
 /// <param name="Feed">mm/min.</param>
 /// <param name="Plunge">mm/min; null on a machine without a tool axis.</param>
-/// <param name="Curves">Entities that it takes.</param>
+/// <param name="Curves">Entities that it machines, points and inserts included.</param>
 /// <param name="Strokes">Every pass is one.</param>
 /// <param name="Passes">Passes of each stroke.</param>
 /// <param name="Length">Of all strokes in plan, mm.</param>
@@ -22,7 +22,7 @@ public sealed record OperationSummary(Operation Operation, CuttingTool Tool, dou
     private static OperationSummary Of(PreparedJob job, OperationPlan plan, ShapedOperation shape)
     {
         var strokes = job.Sequence.Strokes.Zip(job.Passes).Where(pair => pair.Second.Operation.Id == shape.Operation.Id).Select(pair => pair.First).ToList();
-        var curves = Enumerable.Range(0, shape.Part.Table.Count).Select(shape.Part.Table.EntityIndexOf).Distinct().Count();
+        var curves = Enumerable.Range(0, shape.Part.Table.Count).Select(shape.Part.Table.EntityIndexOf).Distinct().Count() + shape.Part.Places.Count;
         return new OperationSummary(
             shape.Operation, shape.Part.Tool, plan.FeedOf(shape.Operation, job.Settings.Machine), plan.PlungeOf(shape.Operation, job.Settings.Machine), curves, strokes.Count,
             shape.Operation.PassDepths().Count, strokes.Sum(stroke => stroke.Length), shape.Uncut.Count);

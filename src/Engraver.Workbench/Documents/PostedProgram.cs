@@ -32,7 +32,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         ArgumentNullException.ThrowIfNull(post);
         var lettered = JobPreparation.To<LetteredJob>(drawing, settings, values);
-        if (lettered.Drawing.Entities.Count == 0) return CreateEmpty(lettered.Drawing, settings, [.. drawing.Diagnostics, .. lettered.Findings]);
+        if (lettered.Drawing.Entities.Count == 0 && settings.Operations is null) return CreateEmpty(lettered.Drawing, settings, [.. drawing.Diagnostics, .. lettered.Findings]);
         if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style, values), post, options);
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings, values);
         var posted = FromSequence(ordered, post, options);

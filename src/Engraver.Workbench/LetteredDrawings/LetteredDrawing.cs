@@ -107,7 +107,8 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
 
     private static DrawingEntity EntityOf(PlacedText text) => new()
     {
-        SourceLine = text.SourceLine,
+        SourceLine = (int)text.SourceLine,
+        Insert = -text.BlockPath,
         Handle = text.Handle,
         Layer = text.Layer,
         Colour = text.Colour,

@@ -26,7 +26,7 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
     /// <summary>Strokes that are not as their operations state.</summary>
     private static IReadOnlyList<Diagnostic> OperationsFaultsOf(MotionJob job) => job.Shapes.Count == 0
         ? []
-        : OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, job.Toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf);
+        : [.. OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, job.Toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf), .. DashCheck.Findings(job.Shapes, job.Drawing, job.Settings.MaxErrorMm)];
 
     private static ToolpathTolerances TolerancesOf(DrawnJob job) => new(job.Settings.MaxErrorMm, job.Settings.JoinToleranceMm, job.Settings.RecoverArcs);
 

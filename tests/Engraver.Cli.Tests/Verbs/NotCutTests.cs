@@ -43,7 +43,7 @@ public sealed class NotCutTests
     [Theory]
     [InlineData("DIMENSION", "To cut them: name outlines with --cut (dimension). To leave them uncut")]
     [InlineData("TOLERANCE", "To cut them: explode TOLERANCE into lines in the CAD program. To leave them uncut")]
-    [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. To leave them uncut")]
+    [InlineData("POINT", "To cut them: drill the points with an operation, or draw a small circle or a short line at each. To leave them uncut")]
     [InlineData("MLINE", "To cut them: name outlines with --cut (mline). To leave them uncut")]
     [InlineData("TRACE", "To cut them: name outlines with --cut (solid). To leave them uncut")]
     public async Task What_can_be_done_depends_on_the_type(string type, string advice)

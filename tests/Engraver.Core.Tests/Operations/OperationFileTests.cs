@@ -16,13 +16,15 @@ public class OperationFileTests
         var plan = Read($$"""
             { "version": "1.0", "tools": {{Tools}}, // comments and trailing commas are allowed
               "operations": [
-                { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
+                { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "linetypes": ["DASHED"], "blocks": ["B1", "B2"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
                   "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
                   "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5, "direction": "tangential" }, "overcut": 2.5, "ramp": { "angle": 4 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
                 { "id": "o5", "kind": "profile", "select": "rest", "tool": 3, "depth": 3, "start": { "rule": "corner" }, "tabs": { "spacing": 50, "width": 3, "height": 1, "shape": "sloped", "angle": 30 } },
                 { "id": "o6", "kind": "profile", "select": "rest", "tool": 3, "tabs": { "count": 2, "width": 3 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
                 { "id": "o4", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "angle": 45, "cross": true, "inset": 0.1, "pierce": 1.5 },
+                { "id": "o8", "kind": "fill", "select": "rest", "tool": 3, "spacing": 0.5, "hatches": true },
+                { "id": "o9", "kind": "engrave", "select": "rest", "tool": 3, "dashes": true },
                 { "id": "o7", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "pattern": "contour" },
                 { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, "dwell": 0.5, }
               ] }
@@ -30,7 +32,7 @@ public class OperationFileTests
 
         var outline = plan.Operations[0];
         Assert.Equal(("o1", "Outline", false, OperationKind.Profile, ProfileSide.Outside, 3), (outline.Id, outline.Name, outline.IsOn, outline.Kind, outline.Side, outline.Tool));
-        Assert.Equal(("CUT", "1 FF0000", "1A"), (outline.Select.Layers[0], string.Join(' ', outline.Select.Colours), outline.Select.Handles[0]));
+        Assert.Equal(("CUT", "1 FF0000", "DASHED", "B1 B2", "1A"), (outline.Select.Layers[0], string.Join(' ', outline.Select.Colours), outline.Select.Linetypes[0], string.Join(' ', outline.Select.Blocks), outline.Select.Handles[0]));
         Assert.Equal((500.0, 150.0, 9000.0, 0.5, 3.0, 1.0, 0.2, 0.1, 2), (outline.Feed!.Value, outline.Plunge!.Value, outline.Spindle!.Value, outline.StartDepth, outline.Depth!.Value, outline.DepthPerPass!.Value, outline.Finish, outline.Stock, outline.Repeats));
         Assert.Equal((CutDirection.Climb, PassOrder.Level), (outline.Direction, outline.Order));
         Assert.Equal((new LeadMove(LeadShape.Arc, 2.0), new LeadMove(LeadShape.Line, 1.5) { Direction = LeadDirection.Tangential }, StartRule.Top, new PartTabs(3.0, 1.0) { Count = 4, Within = 2.0, At = s_none }), (outline.LeadIn!, outline.LeadOut!, outline.Start, outline.Tabs! with { At = s_none }));
@@ -40,10 +42,12 @@ public class OperationFileTests
         Assert.Equal((TabShape.Sloped, 30.0, TabShape.Square, null), (plan.Operations[1].Tabs!.Shape, plan.Operations[1].Tabs!.AngleDegrees, outline.Tabs.Shape, plan.Operations[2].Tabs!.Height));
         Assert.Equal((StartRule.Corner, 50.0, null), (plan.Operations[1].Start, plan.Operations[1].Tabs!.Spacing!.Value, plan.Operations[1].Tabs!.Count));
         Assert.Equal((true, 0.3, true, 30.0), (plan.Operations[3].Select.IsRest, plan.Operations[3].Stepover, plan.Operations[3].IsZigzag, plan.Operations[3].AngleDegrees));
-        Assert.Equal((2.0, 4.0), (plan.Operations[6].Peck!.Value, plan.Operations[6].MaxDiameter!.Value));
+        Assert.Equal((2.0, 4.0), (plan.Operations[^1].Peck!.Value, plan.Operations[^1].MaxDiameter!.Value));
         Assert.Equal((0.5, 45.0, true, 0.1), (plan.Operations[4].Spacing, plan.Operations[4].AngleDegrees, plan.Operations[4].IsCross, plan.Operations[4].Inset!.Value));
-        Assert.Equal((FillPattern.Contour, FillPattern.Lines), (plan.Operations[5].Pattern, plan.Operations[4].Pattern));
-        Assert.Equal((1.5, 0.5), (plan.Operations[4].PierceSeconds, plan.Operations[6].DwellSeconds));
+        Assert.Equal((FillPattern.Contour, FillPattern.Lines), (plan.Operations[7].Pattern, plan.Operations[4].Pattern));
+        Assert.Equal((1.5, 0.5), (plan.Operations[4].PierceSeconds, plan.Operations[^1].DwellSeconds));
+        Assert.Equal(["o9"], plan.Operations.Where(operation => operation.CutsDashes).Select(operation => operation.Id));
+        Assert.Equal(["o8"], plan.Operations.Where(operation => operation.TakesHatches).Select(operation => operation.Id));
         var tool = plan.ToolOf(outline);
         Assert.Equal(("End mill", ToolKind.Endmill, 3.0, 2, 9.0, 600.0, 200.0, 12000.0), (tool.Name, tool.Kind, tool.Diameter, tool.Flutes!.Value, tool.MaxDepth!.Value, tool.Feed!.Value, tool.Plunge!.Value, tool.Spindle!.Value));
         Assert.Equal((ToolKind.Drill, 118.0), (plan.Tools[1].Kind, plan.Tools[1].AngleDegrees!.Value));

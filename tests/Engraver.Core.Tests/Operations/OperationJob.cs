@@ -24,12 +24,12 @@ internal sealed class OperationJob
     /// <param name="operations">The entries of the list, as JSON. Tool 1 has a diameter of 2 mm, tool 2 of 1 mm.</param>
     public OperationJob(Drawing drawing, string operations, MachineProfile? machine = null, int tool = 0, double diameter = 2.0)
     {
-        _drawing = drawing;
         var read = OperationFile.Read(FormattableString.Invariant($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": {{diameter}}, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}], "operations": [{{operations}}] }"""), _ => (null, ""));
         Assert.True(read.Plan is not null, string.Join('\n', read.Diagnostics.Select(finding => finding.Message)));
         Plan = read.Plan;
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
-        Assignment = OperationAssignment.Of(analysed, drawing, Plan, machine ?? new MachineProfile { Height = new HeightDrive(), Axes = MachineAxes.Default with { Z = new MachineAxis('C', 800.0) } }, s_limits, tool);
+        Assignment = OperationAssignment.Of(analysed, drawing, Plan, machine ?? new MachineProfile { Height = new HeightDrive(), Axes = MachineAxes.Default with { Z = new MachineAxis('C', 800.0) } }, s_limits, tool, LayerSelection.Default);
+        _drawing = drawing = Assignment.Drawing;
         var shaper = new OperationShaper(drawing, s_options, MaxError);
         Shapes = [.. Assignment.Parts.Select(shaper.Shape)];
         Ordered = OperationOrder.Of(Shapes, drawing, s_options);
@@ -51,6 +51,12 @@ internal sealed class OperationJob
 
     /// <summary>Ids of the findings of the check of a path.</summary>
     public IReadOnlyList<string> CheckOf(Toolpath path) => [.. OperationCheck.Findings(Shapes, Assignment.Contours, path, Passes.Strokes, new ToolpathTolerances(MaxError, 0.01, false), _drawing.SourceOf).Select(finding => finding.Id)];
+
+    /// <summary>Ids of the findings of the check of a drilled shape without strokes.</summary>
+    public IReadOnlyList<string> CheckOfShape(ShapedOperation shape) => [.. OperationCheck.Findings([shape], Assignment.Contours, new Toolpath(default, []), [], new ToolpathTolerances(MaxError, 0.01, false), _drawing.SourceOf).Select(finding => finding.Id)];
+
+    /// <summary>Ids of the findings of the check of dashes.</summary>
+    public IReadOnlyList<string> CheckOfDashes(ShapedOperation shape) => [.. DashCheck.Findings([shape], _drawing, MaxError).Select(finding => finding.Id)];
 
     /// <summary>Points of a stroke, at most a step apart.</summary>
     public static IEnumerable<Point2D> PointsOf(ToolpathStroke stroke, double step) =>

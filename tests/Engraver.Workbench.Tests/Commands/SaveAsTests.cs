@@ -115,7 +115,7 @@ public class SaveAsTests
         Assert.Equal(before.Points.Select(point => Placed(before, point)), after.Points.Select(point => Placed(after, point)));
         Assert.DoesNotContain("DOC0003", talk.Said, StringComparison.Ordinal);
 
-        static (PlacedPoint, string) Placed(Drawing drawing, PlacedPoint point) => (point with { Layer = 0 }, drawing.Layers[point.Layer].Name);
+        static (PlacedPoint, string) Placed(Drawing drawing, PlacedPoint point) => (point with { Layer = 0, Handle = 0, SourceLine = 0 }, drawing.Layers[point.Layer].Name);
     }
 
     [Fact]

@@ -22,6 +22,12 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
         foreach (var shape in shapes) AddCurve(record, shape);
     }
 
+    public void AddAreas(EntityRecord record, IReadOnlyList<CurveShape> shapes)
+    {
+        AddConstruction(record);
+        AddCurves(record, shapes);
+    }
+
     public void AddText(PlacedText text) => block.Texts.Add(text);
 
     public void AddConstant(EntityRecord record, PlacedText text)

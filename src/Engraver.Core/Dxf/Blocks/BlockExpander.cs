@@ -13,18 +13,32 @@ internal sealed class BlockExpander(
     CurveColumns blockCurves,
     CurveColumns drawing,
     LayerTable layers,
+    LineStyleTable styles,
+    BlockPathTable paths,
     ReadTally balance,
     int maxSteps,
     CancellationToken cancellation) : IBlockVisitor
 {
+    /// <summary>Maximum number of inserts when those without curves are visited too.</summary>
+    private const int MaxInserts = 1_000_000;
+
+    private readonly List<PlacedInsert> _inserts = [];
     private readonly BlockWeights _scale = new(blocks);
     private readonly HashSet<BlockDefinition> _reported = [];
     private readonly HashSet<int> _lostCurves = [];
     private readonly List<DrawingPart> _parts = [];
     private readonly List<RationalCurve> _curves = [];
     private readonly HashSet<int> _tilted = [];
+    private readonly Dictionary<(int Path, int Around, int Number, Vector3D Position), int> _restored = [];
     private BlockWalk? _walk;
     private long _steps;
+    private bool _visitsAll;
+
+    /// <summary>Every copy of a block so far.</summary>
+    public IReadOnlyList<PlacedInsert> Inserts => _inserts;
+
+    /// <summary>True after inserts without curves were left out.</summary>
+    public bool LeftOut { get; private set; }
 
     /// <summary>Expands an insert of model space. Returns the finding when nothing, or not everything, was drawn; otherwise null.</summary>
     public RecordIssue? Expand(in BlockInsert insert)
@@ -36,11 +50,10 @@ internal sealed class BlockExpander(
         if (weight.Curves > 0 && _steps + steps > maxSteps) return insert.Finding(DxfRules.TooManyCurves, name);
         Report(block);
         balance.AddAnnotations(weight.Annotations, insert.Copies);
-        if (weight.Curves > 0)
-        {
-            _steps += steps;
-            (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
-        }
+        _visitsAll = BlockWeight.Sum(_inserts.Count, BlockWeight.Times(insert.Copies, weight.Inserts + 1)) <= MaxInserts;
+        LeftOut |= !_visitsAll;
+        if (weight.Curves > 0) _steps += steps;
+        if (weight.Curves > 0 || _visitsAll) (_walk ??= new BlockWalk(blocks, layers, paths, this, cancellation)).Through(insert, block);
 
         return weight.HasUnfollowedInserts || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
     }
@@ -61,15 +74,38 @@ internal sealed class BlockExpander(
         }
     }
 
-    public bool ShouldVisit(BlockWeight weight) => weight.Curves > 0;
+    public bool ShouldVisit(BlockWeight weight) => weight.Curves > 0 || _visitsAll;
 
-    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    public int Enter(BlockDefinition block, in Placement at, in InsertStyle style, int around)
     {
+        _inserts.Add(new PlacedInsert(style.Path, around, at.Apply(block.BasePoint), style.Layer, style.Hidden));
+        return _inserts.Count;
     }
 
     public void Curves(int first, int end, in Placement at, in InsertStyle style)
     {
         for (var curve = first; curve < end; curve++) PlaceCurve(curve, at, style);
+    }
+
+    /// <summary>The number of the insert of a curve that was written one by one; 0 for none.</summary>
+    public int Restored(EntityRecord record)
+    {
+        if (record.Own is null) return 0;
+        var (path, number) = (0, 0);
+        foreach (var (block, written, position) in RestoredInserts.Of(record))
+        {
+            path = paths.Inside(path, blockNames.IdOf(block));
+            var key = (path, number, written, position);
+            if (!_restored.TryGetValue(key, out var known))
+            {
+                _inserts.Add(new PlacedInsert(path, number, position, record.Layer, Hidden: false));
+                _restored[key] = known = _inserts.Count;
+            }
+
+            number = known;
+        }
+
+        return number;
     }
 
     private void PlaceCurve(int index, in Placement at, in InsertStyle style)
@@ -87,6 +123,8 @@ internal sealed class BlockExpander(
 
         entity.Layer = style.LayerOf(entity.Layer, layers);
         entity.Colour = style.ColourOf(entity.Colour, entity.Layer, layers);
+        if (entity.LineStyle != 0) entity.LineStyle = styles.Resolved(entity.LineStyle, style.LinetypeOf(Linetype.ByBlock, entity.Layer, layers));
+        entity.Insert = style.Insert;
         entity.Hidden |= style.Hidden;
         drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
     }
@@ -110,6 +148,6 @@ internal sealed class BlockExpander(
         var refused = outcome == PlacementOutcome.OutOfRange;
         if (!(refused ? _lostCurves : _tilted).Add(index)) return;
         ref var entity = ref blockCurves.Entities[index];
-        balance.AddInBlock(new RecordIssue(refused ? DxfRules.OutOfRange : DxfRules.TiltedCurve, entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", refused));
+        balance.AddInBlock(new RecordIssue(refused ? DxfRules.OutOfRange : DxfRules.TiltedCurve, entity.Type.ToDxfName(), entity.Handle, entity.SourceLine, "", refused));
     }
 }

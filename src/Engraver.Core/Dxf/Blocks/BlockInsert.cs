@@ -32,6 +32,7 @@ internal readonly record struct BlockInsert
         Block = record.Name;
         Layer = record.Layer;
         Colour = record.Colour;
+        Linetype = record.Linetype;
         Handle = record.Handle;
         Line = record.Line;
         Invisible = record.Invisible;
@@ -49,6 +50,9 @@ internal readonly record struct BlockInsert
     public int Layer { get; }
 
     public DrawingColour Colour { get; }
+
+    /// <summary>Number of its linetype, as stated.</summary>
+    public int Linetype { get; }
 
     public ulong Handle { get; }
 

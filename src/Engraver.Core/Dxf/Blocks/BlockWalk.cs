@@ -6,14 +6,14 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Visits every copy of a block and of the blocks nested in it, in drawing order. Uses its own stack, so that nesting may be of any depth.</summary>
-internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, IBlockVisitor visitor, CancellationToken cancellation)
+internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, BlockPathTable paths, IBlockVisitor visitor, CancellationToken cancellation)
 {
     private readonly List<BlockVisit> _open = [];
 
     /// <summary>Visits an insert of model space; the weight of its block is known.</summary>
     public void Through(in BlockInsert insert, BlockDefinition block)
     {
-        Open(insert, block, Placement.Identity, InsertStyle.FromModelSpace(insert));
+        Open(insert, block, Placement.Identity, InsertStyle.FromModelSpace(insert, paths));
         while (_open.Count > 0)
         {
             ref var visit = ref CollectionsMarshal.AsSpan(_open)[^1];
@@ -26,7 +26,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     {
         cancellation.ThrowIfCancellationRequested();
         style = style with { Hidden = style.Hidden || insert.Invisible || layers.IsFrozen(style.Layer) };
-        var visit = new BlockVisit { Insert = insert, Block = block, Outer = outer, Style = style };
+        var visit = new BlockVisit { Insert = insert, Block = block, Outer = outer, Style = style, Around = style.Insert };
         Begin(ref visit);
         _open.Add(visit);
     }
@@ -36,7 +36,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
         var insert = visit.Insert;
         visit.At = visit.Outer.After(insert.Copy((int)(visit.Copy % insert.Columns), (int)(visit.Copy / insert.Columns), visit.Block.BasePoint));
         (visit.Curve, visit.Nested) = (visit.Block.FirstCurve, 0);
-        visitor.Enter(visit.Block, visit.At, visit.Style);
+        visit.Style = visit.Style with { Insert = visitor.Enter(visit.Block, visit.At, visit.Style, visit.Around) };
     }
 
     /// <summary>Draws up to the next nested insert and enters that. The visit must not be used afterwards: the list may have been reallocated.</summary>
@@ -44,7 +44,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     {
         var nested = visit.Block.Inserts[visit.Nested++];
         Draw(ref visit, nested.BeforeCurve);
-        if (nested.Obstacle is null && blocks[nested.Insert.Block] is var child && visitor.ShouldVisit(child.Weight!)) Open(nested.Insert, child, visit.At, visit.Style.Inside(nested.Insert, layers));
+        if (nested.Obstacle is null && blocks[nested.Insert.Block] is var child && visitor.ShouldVisit(child.Weight!)) Open(nested.Insert, child, visit.At, visit.Style.Inside(nested.Insert, layers, paths));
     }
 
     private void Leave(ref BlockVisit visit)
@@ -68,6 +68,9 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
         public Placement Outer;
         public InsertStyle Style;
 
+        /// <summary>Number of the insert in which it is nested; 0 for none.</summary>
+        public int Around;
+
         /// <summary>Number of the copy in an array, row by row, from 0.</summary>
         public long Copy;
         public Placement At;
@@ -87,7 +90,9 @@ internal interface IBlockVisitor
     bool ShouldVisit(BlockWeight weight);
 
     /// <summary>Called at the beginning of a copy of a block.</summary>
-    void Enter(BlockDefinition block, in Placement at, in InsertStyle style);
+    /// <param name="around">Number of the copy in which it is nested; 0 for none.</param>
+    /// <returns>The number of this copy; 0 from a visitor that does not number them.</returns>
+    int Enter(BlockDefinition block, in Placement at, in InsertStyle style, int around);
 
     /// <summary>Curves of the copy, in order; the inserts between them are visited between two calls.</summary>
     void Curves(int first, int end, in Placement at, in InsertStyle style);

@@ -14,6 +14,9 @@ internal sealed record BlockWeight(long Curves, long Steps, bool HasUnfollowedIn
     /// <summary>Points, and the inserts that lead to them; 0 when there is no point in it.</summary>
     public long PointSteps { get; init; }
 
+    /// <summary>Copies of blocks in it, at any depth.</summary>
+    public long Inserts { get; init; }
+
     public static long Sum(long left, long right) => Math.Min(left + right, Max);
 
     /// <summary>Copies times an amount, at most <see cref="Max"/>; copies are at most 32767 x 32767.</summary>

@@ -53,6 +53,7 @@ internal sealed class BlockWeights(IReadOnlyDictionary<int, BlockDefinition> blo
         long textSteps = block.Texts.Count;
         long pointSteps = block.Points.Count;
         long constructionSteps = block.Construction.Count;
+        long inserts = 0;
         var loses = block.Issues.Exists(issue => issue.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
         foreach (var nested in block.Inserts)
@@ -62,6 +63,7 @@ internal sealed class BlockWeights(IReadOnlyDictionary<int, BlockDefinition> blo
             if (nested.Obstacle is not null || child is null) continue;
             var copies = nested.Insert.Copies;
             curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
+            inserts = BlockWeight.Sum(inserts, BlockWeight.Times(copies, BlockWeight.Sum(child.Inserts, 1)));
             if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
             if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
             if (child.PointSteps > 0) pointSteps = BlockWeight.Sum(pointSteps, BlockWeight.Times(copies, child.PointSteps + 1));
@@ -69,7 +71,7 @@ internal sealed class BlockWeights(IReadOnlyDictionary<int, BlockDefinition> blo
             AddAnnotations(annotations, child.Annotations, copies);
         }
 
-        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps) { PointSteps = pointSteps };
+        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps) { PointSteps = pointSteps, Inserts = inserts };
     }
 
     /// <summary>Adds counts of texts and points, multiplied by the number of copies.</summary>

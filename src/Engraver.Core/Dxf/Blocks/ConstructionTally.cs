@@ -9,7 +9,7 @@ namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Counts visible construction by type and layer; in blocks once for every copy, up to the limit. Texts are not counted here: they are kept
 /// (<see cref="TextExpander"/>).</summary>
-internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
+internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, BlockPathTable paths, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Maximum number of counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>
     private const int MaxSteps = 1_000_000;
@@ -33,8 +33,8 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { ConstructionSteps: > 0 } weight) return;
         _steps = BlockWeight.Sum(_steps, BlockWeight.Times(insert.Copies, weight.ConstructionSteps));
-        if (_steps <= MaxSteps) (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
-        else Enter(block, Placement.Identity, InsertStyle.FromModelSpace(insert) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
+        if (_steps <= MaxSteps) (_walk ??= new BlockWalk(blocks, layers, paths, this, cancellation)).Through(insert, block);
+        else Count(block, InsertStyle.FromModelSpace(insert, paths) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
     }
 
     public IReadOnlyList<ConstructionCount> ToCounts() =>
@@ -42,14 +42,20 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
 
     public bool ShouldVisit(BlockWeight weight) => weight.ConstructionSteps > 0;
 
-    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    public int Enter(BlockDefinition block, in Placement at, in InsertStyle style, int around)
     {
-        if (style.Hidden) return;
-        foreach (var (key, found) in block.Construction) Add(key.Type, style.LayerOf(key.Layer, layers), found.Count, found.First);
+        Count(block, style);
+        return 0;
     }
 
     public void Curves(int first, int end, in Placement at, in InsertStyle style)
     {
+    }
+
+    private void Count(BlockDefinition block, in InsertStyle style)
+    {
+        if (style.Hidden) return;
+        foreach (var (key, found) in block.Construction) Add(key.Type, style.LayerOf(key.Layer, layers), found.Count, found.First);
     }
 
     private void Add(string type, int layer, long count, SourceRef first)

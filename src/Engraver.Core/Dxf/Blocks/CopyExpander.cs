@@ -6,7 +6,7 @@ namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Adds items that are only shown (texts, points) to the drawing, those of blocks once for every copy, up to a limit: beyond it they are only
 /// counted.</summary>
-internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
+internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, BlockPathTable paths, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Maximum number of items, with the inserts that lead to them, that are placed.</summary>
     private const int MaxSteps = 1_000_000;
@@ -38,17 +38,19 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
         }
 
         _steps += steps;
-        (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
+        (_walk ??= new BlockWalk(blocks, layers, paths, this, cancellation)).Through(insert, block);
     }
 
     public bool ShouldVisit(BlockWeight weight) => StepsOf(weight) > 0;
 
-    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    public int Enter(BlockDefinition block, in Placement at, in InsertStyle style, int around)
     {
         foreach (var one in ContentOf(block))
         {
             if (TryPlace(one, at, style, out var placed)) _placed.Add(placed);
         }
+
+        return 0;
     }
 
     public void Curves(int first, int end, in Placement at, in InsertStyle style)

@@ -3,14 +3,21 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Layer, visibility and colour that an INSERT passes on to the content of its block.</summary>
+/// <summary>Layer, visibility, colour and linetype that an INSERT passes on to the content of its block.</summary>
 /// <param name="Layer">Layer of the content that is drawn on layer 0.</param>
 /// <param name="Hidden">The insert, or one around it, is invisible or on a frozen layer.</param>
 /// <param name="Colour">Colour of content "by block".</param>
-internal readonly record struct InsertStyle(int Layer, bool Hidden, DrawingColour Colour)
+/// <param name="Linetype">Linetype of content "by block".</param>
+/// <param name="Path">Its block, and those around it: number of a <see cref="BlockPath"/>.</param>
+internal readonly record struct InsertStyle(int Layer, bool Hidden, DrawingColour Colour, int Linetype, int Path)
 {
+    /// <summary>Number of the insert whose content it is; 0 for none.</summary>
+    public int Insert { get; init; }
+
     /// <summary>The style of an INSERT in model space, where "by block" has no reference and becomes the foreground colour.</summary>
-    public static InsertStyle FromModelSpace(in BlockInsert insert) => new(insert.Layer, Hidden: false, insert.Colour.IsByBlock ? DrawingColour.Foreground : insert.Colour);
+    public static InsertStyle FromModelSpace(in BlockInsert insert, BlockPathTable paths) => new(
+        insert.Layer, Hidden: false, insert.Colour.IsByBlock ? DrawingColour.Foreground : insert.Colour,
+        insert.Linetype == Drawings.Linetype.ByBlock ? Drawings.Linetype.Continuous : insert.Linetype, paths.Inside(0, insert.Block));
 
     /// <summary>The effective layer of content drawn on a layer.</summary>
     public int LayerOf(int own, LayerTable layers) => own == layers.Zero ? Layer : own;
@@ -24,10 +31,17 @@ internal readonly record struct InsertStyle(int Layer, bool Hidden, DrawingColou
         return Colour.IsByLayer && Layer != layer ? layers.ColourOf(Layer) : Colour;
     }
 
+    /// <summary>As <see cref="ColourOf"/>, for a linetype.</summary>
+    public int LinetypeOf(int own, int layer, LayerTable layers)
+    {
+        if (own != Drawings.Linetype.ByBlock) return own;
+        return Linetype == Drawings.Linetype.ByLayer && Layer != layer ? layers.LinetypeOf(Layer) : Linetype;
+    }
+
     /// <summary>The style that a nested INSERT passes on.</summary>
-    public InsertStyle Inside(in BlockInsert nested, LayerTable layers)
+    public InsertStyle Inside(in BlockInsert nested, LayerTable layers, BlockPathTable paths)
     {
         var layer = LayerOf(nested.Layer, layers);
-        return this with { Layer = layer, Colour = ColourOf(nested.Colour, layer, layers) };
+        return this with { Layer = layer, Colour = ColourOf(nested.Colour, layer, layers), Linetype = LinetypeOf(nested.Linetype, layer, layers), Path = paths.Inside(Path, nested.Block) };
     }
 }

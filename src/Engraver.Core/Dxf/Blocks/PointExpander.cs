@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Dxf.Blocks;
 
 /// <summary>Adds the points of blocks to the drawing, once for every copy.</summary>
-internal sealed class PointExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : CopyExpander<PlacedPoint>(blocks, layers, cancellation)
+internal sealed class PointExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, BlockPathTable paths, CancellationToken cancellation) : CopyExpander<PlacedPoint>(blocks, layers, paths, cancellation)
 {
     private readonly LayerTable _layers = layers;
 
@@ -17,7 +17,15 @@ internal sealed class PointExpander(IReadOnlyDictionary<int, BlockDefinition> bl
     protected override bool TryPlace(PlacedPoint one, in Placement at, in InsertStyle style, out PlacedPoint placed)
     {
         var layer = style.LayerOf(one.Layer, _layers);
-        placed = new PlacedPoint(at.Apply(one.Position), layer, style.ColourOf(one.Colour, layer, _layers), one.Hidden || style.Hidden);
+        placed = one with
+        {
+            Position = at.Apply(one.Position),
+            Layer = layer,
+            Colour = style.ColourOf(one.Colour, layer, _layers),
+            Linetype = style.LinetypeOf(one.Linetype, layer, _layers),
+            Hidden = one.Hidden || style.Hidden,
+            BlockPath = style.Path,
+        };
         return PlacedPoints.InRange(placed.Position);
     }
 }

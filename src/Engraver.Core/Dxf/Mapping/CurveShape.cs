@@ -47,6 +47,7 @@ internal sealed class CurveShape
         Handle = record.Handle,
         Layer = record.Layer,
         Colour = record.Colour,
+        LineStyle = record.LineStyle,
         Type = Type,
         Hidden = record.Invisible,
         Closed = Closed,

@@ -11,7 +11,7 @@ internal static class PlacedPoints
 {
     /// <summary>The point of a record; null when it has no position, or one out of range.</summary>
     public static PlacedPoint? Map(EntityRecord record) =>
-        record.Has(10) && record.Has(20) && InRange(record.PointOrOrigin(10)) ? new PlacedPoint(record.PointOrOrigin(10), record.Layer, record.Colour, record.Invisible) : null;
+        record.Has(10) && record.Has(20) && InRange(record.PointOrOrigin(10)) ? new PlacedPoint(record.PointOrOrigin(10), record.Layer, record.Colour, record.Invisible) { Linetype = record.Linetype, Handle = record.Handle, SourceLine = record.Line } : null;
 
     public static bool InRange(Vector3D place) => Fits(place.X) && Fits(place.Y) && Fits(place.Z);
 

@@ -59,8 +59,14 @@ internal sealed class EntityRecord
     /// <summary>The first group of a text whose number cannot be used; 0 if all can.</summary>
     public int DamagedGroup { get; set; }
 
-    /// <summary>Number of its linetype (code 6); -1 where none is named.</summary>
+    /// <summary>Number of its linetype (code 6); by layer where none is named.</summary>
     public int Linetype { get; set; }
+
+    /// <summary>Scale of the pattern of its linetype (code 48).</summary>
+    public double LinetypeScale { get; set; }
+
+    /// <summary>Number of its line style.</summary>
+    public int LineStyle { get; set; }
 
     /// <summary>A code that appeared twice, 0 when none did.</summary>
     public int RepeatedCode { get; private set; }
@@ -87,6 +93,9 @@ internal sealed class EntityRecord
     /// <summary>Extended data of a text or a text style, in file order; a 1001 begins that of an application.</summary>
     public List<ExtendedValue> Extended { get; } = [];
 
+    /// <summary>Extended data of this package, in file order; null for none.</summary>
+    public List<ExtendedValue>? Own { get; private set; }
+
     /// <summary>Numbers in file order, for types in which codes repeat.</summary>
     public List<CodedNumber> Sequence { get; } = [];
 
@@ -109,7 +118,10 @@ internal sealed class EntityRecord
         Handle = 0;
         Name = -1;
         DamagedGroup = 0;
-        Linetype = -1;
+        Linetype = Drawings.Linetype.ByLayer;
+        LinetypeScale = 1.0;
+        LineStyle = 0;
+        Own = null;
         RepeatedCode = 0;
         DoubledCode = 0;
         _counted = 0;
@@ -123,6 +135,7 @@ internal sealed class EntityRecord
         }
 
         (_embedded, _extra) = (false, false);
+        IsInOwn = false;
         Texts.Clear();
         Sequence.Clear();
         _seen = 0;
@@ -190,6 +203,23 @@ internal sealed class EntityRecord
         if (code is >= FirstExtended and < FirstExtendedNumber) Extended.Add(new ExtendedValue(code, CharacterEscapes.Resolved(decode(tags.Value)), 0.0));
         else if (code >= FirstExtendedNumber && tags.TryNumber(out var value)) Extended.Add(new ExtendedValue(code, "", value));
         else if (_embedded && code is >= 10 and < 100 && tags.TryNumber(out var number)) Embedded.Add(new CodedNumber(code, number));
+    }
+
+    /// <summary>True while the values belong to the extended data of this package.</summary>
+    public bool IsInOwn { get; private set; }
+
+    /// <summary>Begins the extended data of an application.</summary>
+    public void BeginExtended(bool isOwn)
+    {
+        IsInOwn = isOwn;
+        if (isOwn) Own ??= [];
+    }
+
+    /// <summary>Keeps a value of the extended data of this package; one that is not a number is left out.</summary>
+    public void CollectOwn(DxfTagSource tags, TextDecoding decode)
+    {
+        if (tags.Code < FirstExtendedNumber) Own!.Add(new ExtendedValue(tags.Code, CharacterEscapes.Resolved(decode(tags.Value)), 0.0));
+        else if (tags.TryNumber(out var value)) Own!.Add(new ExtendedValue(tags.Code, "", value));
     }
 
     /// <summary>The extended data of an application, without its name.</summary>

@@ -16,7 +16,7 @@ internal sealed class LayerTable(NameTable names)
     public void Define(EntityRecord entry)
     {
         Grow();
-        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, (entry.Flags(70) & LockedFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour, entry.Linetype);
+        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, (entry.Flags(70) & LockedFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour, entry.Linetype is Linetype.ByLayer or Linetype.ByBlock ? Linetype.Continuous : entry.Linetype);
     }
 
     public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
@@ -27,20 +27,20 @@ internal sealed class LayerTable(NameTable names)
     /// <summary>True for a layer that is visible and plotted.</summary>
     public bool IsCut(int layer) => !IsHidden(layer) && !(layer < _states.Count && _states[layer].NotPlotted);
 
-    /// <summary>Number of its linetype; -1 where none is named.</summary>
-    public int LinetypeOf(int layer) => layer < _states.Count ? _states[layer].Linetype : -1;
+    /// <summary>Number of its linetype.</summary>
+    public int LinetypeOf(int layer) => layer < _states.Count ? _states[layer].Linetype : Linetype.Continuous;
 
     public DrawingColour ColourOf(int layer) => layer < _states.Count ? _states[layer].Colour.OrForeground() : DrawingColour.Foreground;
 
     public IReadOnlyList<Layer> ToLayers()
     {
         Grow();
-        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground(), Locked = state.Locked })];
+        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground(), Locked = state.Locked, Linetype = state.Linetype })];
     }
 
     private void Grow()
     {
-        while (_states.Count < names.Count) _states.Add(new LayerState { Linetype = -1 });
+        while (_states.Count < names.Count) _states.Add(new LayerState { Linetype = Linetype.Continuous });
     }
 
     private readonly record struct LayerState(bool Frozen, bool Locked, bool Off, bool NotPlotted, DrawingColour Colour, int Linetype);

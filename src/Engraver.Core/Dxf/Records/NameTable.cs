@@ -18,6 +18,9 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
     /// <summary>The name as first spelled.</summary>
     public string this[int id] => _names[id];
 
+    /// <summary>The names in the order of their numbers.</summary>
+    public IReadOnlyList<string> ToList() => _names;
+
     public int IdOf(ReadOnlySpan<byte> bytes)
     {
         ref var recent = ref _recent[bytes.IsEmpty ? 0 : (bytes.Length + bytes[^1]) & 15];

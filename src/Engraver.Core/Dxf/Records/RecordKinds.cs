@@ -38,6 +38,9 @@ internal static class RecordKinds
     public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction or RecordKind.AttributeDefinition
         || IsOutline(kind);
 
+    /// <summary>True for the records whose linetype is read: curves, inserts, points and outlines.</summary>
+    public static bool HasLinetype(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Point || IsOutline(kind);
+
     /// <summary>True for every record that makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
     public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
 

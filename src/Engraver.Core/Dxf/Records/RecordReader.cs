@@ -15,6 +15,11 @@ internal sealed class RecordReader
     /// <summary>Group code that names a variable of the header.</summary>
     private const int VariableCode = 9;
 
+    /// <summary>Group code that begins the extended data of an application.</summary>
+    private const int ApplicationName = 1001;
+
+    private static readonly byte[] s_own = Encoding.ASCII.GetBytes(RestoredInserts.Application);
+
     private readonly DxfTagSource _tags;
     private readonly NameTable _types = new(bytes => Encoding.Latin1.GetString(bytes).ToUpperInvariant());
     private readonly List<RecordKind> _kinds = [];
@@ -37,6 +42,7 @@ internal sealed class RecordReader
         Layers = layers;
         Blocks = blocks;
         Linetypes = new NameTable(bytes => CharacterEscapes.Resolved(decode(bytes)));
+        foreach (var standard in Linetype.Standard) Linetypes.IdOf(standard.Name);
         _layerZero = layers.IdOf("0");
         SkipSilently();
     }
@@ -213,8 +219,20 @@ internal sealed class RecordReader
             case 40 when record.Kind is RecordKind.LinetypeEntry:
                 if (_tags.TryNumber(out var pattern)) record.Set(40, pattern);
                 break;
-            case 6 when record.Kind is RecordKind.LayerEntry or (>= RecordKind.Line and <= RecordKind.Polyline):
+            case 49 or 74 when record.Kind is RecordKind.LinetypeEntry:
+                if (_tags.TryNumber(out var element)) record.Sequence.Add(new CodedNumber(_tags.Code, element));
+                break;
+            case ApplicationName when RecordKinds.HasLinetype(record.Kind):
+                record.BeginExtended(_tags.Value.Trim(" \t"u8).SequenceEqual(s_own));
+                break;
+            case >= 1000 when record.IsInOwn:
+                record.CollectOwn(_tags, _decode);
+                break;
+            case 6 when record.Kind is RecordKind.LayerEntry || RecordKinds.HasLinetype(record.Kind):
                 record.Linetype = Linetypes.IdOf(_tags.Value);
+                break;
+            case 48 when RecordKinds.HasLinetype(record.Kind):
+                if (_tags.TryNumber(out var scale) && scale > 0.0) record.LinetypeScale = scale;
                 break;
             default:
                 if (RecordKinds.IsCollected(record.Kind, _cut)) Collect(record);

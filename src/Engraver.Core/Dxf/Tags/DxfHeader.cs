@@ -22,6 +22,9 @@ internal sealed class DxfHeader
     /// <summary>$LUNITS as written (3 engineering, 4 architectural: feet and inches); null when missing or not a number.</summary>
     public double? DisplayUnits { get; private set; }
 
+    /// <summary>$LTSCALE; 1 when missing or not above 0.</summary>
+    public double LinetypeScale { get; private set; } = 1.0;
+
     /// <summary>Takes one pair of the section: code 9 names a variable, the pairs after it are its values.</summary>
     public void Take(DxfTagSource tag)
     {
@@ -35,6 +38,9 @@ internal sealed class DxfHeader
                 break;
             case 3 when _variable == "$DWGCODEPAGE":
                 CodePage = Encoding.Latin1.GetString(tag.Value).Trim();
+                break;
+            case 40 when _variable == "$LTSCALE":
+                if (tag.TryNumber(out var scale) && scale > 0.0) LinetypeScale = scale;
                 break;
             case 70 when _variable == "$INSUNITS":
                 InsUnits = tag.TryNumber(out var unit) ? unit : null;

@@ -7,7 +7,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Dxf.Text;
 
 /// <summary>Adds the texts of blocks to the drawing, once for every copy.</summary>
-internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : CopyExpander<PlacedText>(blocks, layers, cancellation)
+internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, BlockPathTable paths, CancellationToken cancellation) : CopyExpander<PlacedText>(blocks, layers, paths, cancellation)
 {
     private readonly LayerTable _layers = layers;
 
@@ -24,6 +24,7 @@ internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blo
             Hidden = one.Hidden || style.Hidden,
             Colour = style.ColourOf(one.Colour, layer, _layers),
             Inserts = at.After(one.Inserts),
+            BlockPath = style.Path,
         };
         return PlacedTexts.IsInRange(placed);
     }

@@ -23,12 +23,12 @@ internal static class DxfHandles
 
     public const int FirstFree = 0x10;
 
-    /// <summary>First handle of the entities, unless there are very many layers or styles.</summary>
+    /// <summary>First handle of the entities, unless there are very many layers, styles or linetypes.</summary>
     private const int FirstEntity = 0x400;
 
-    /// <summary>Handles reserved for tables, blocks and objects, without those of layers and styles; more than are needed.</summary>
+    /// <summary>Handles reserved for tables, blocks and objects, without those of layers, styles and linetypes; more than are needed.</summary>
     private const int TableHandles = 0x80;
 
     /// <summary>First handle of the entities of this sheet.</summary>
-    public static int FirstEntityOf(DxfSheet sheet) => Math.Max(FirstEntity, TableHandles + sheet.Layers.Count + sheet.Styles.Count);
+    public static int FirstEntityOf(DxfSheet sheet) => Math.Max(FirstEntity, TableHandles + sheet.Layers.Count + sheet.Styles.Count + sheet.Linetypes.Count);
 }

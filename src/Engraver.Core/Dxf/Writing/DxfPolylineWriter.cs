@@ -16,6 +16,9 @@ public static class DxfPolylineWriter
 
     private const int VertexInSpace = 32;
 
+    /// <summary>Flag of a polyline whose linetype pattern runs through its vertices.</summary>
+    private const int RunsThrough = 128;
+
     /// <summary>Largest distance between joined ends, as a part of the coordinates and sizes.</summary>
     private const double Joint = 1e-11;
 
@@ -38,7 +41,7 @@ public static class DxfPolylineWriter
     internal static void Write(DxfTagWriter tags, in DxfSheetEntity entity)
     {
         var (segments, closed) = (entity.Segments, entity.Closed);
-        tags.Class("AcDbPolyline").Integer(90, segments.Count + (closed ? 0 : 1)).Integer(70, closed ? 1 : 0);
+        tags.Class("AcDbPolyline").Integer(90, segments.Count + (closed ? 0 : 1)).Integer(70, (closed ? 1 : 0) | (entity.RunsThrough ? RunsThrough : 0));
         if (entity.Z.Start != 0.0) tags.Real(38, entity.Z.Start);
         foreach (var segment in segments)
         {
@@ -53,7 +56,8 @@ public static class DxfPolylineWriter
     internal static void WriteInSpace(DxfTagWriter tags, in DxfSheetEntity entity)
     {
         var (segments, heights, layer) = (entity.Segments, entity.Heights!, entity.Layer);
-        tags.Class("AcDb3dPolyline").Integer(66, 1).Point(10, default(Point2D)).Integer(70, InSpace | (entity.Closed ? 1 : 0));
+        tags.Class("AcDb3dPolyline").Integer(66, 1).Point(10, default(Point2D)).Integer(70, InSpace | (entity.Closed ? 1 : 0) | (entity.RunsThrough ? RunsThrough : 0));
+        DxfWriter.InsertData(tags, entity);
         for (var i = 0; i < heights.Count; i++)
         {
             tags.Begin("VERTEX", DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer).Class("AcDbVertex").Class("AcDb3dPolylineVertex");

@@ -18,6 +18,12 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>Written after the texts.</summary>
     public IReadOnlyList<DxfSheetPoint> Points { get; init; } = [];
 
+    /// <summary>Linetypes besides the three that every drawing has.</summary>
+    public IReadOnlyList<Linetype> Linetypes { get; init; } = [];
+
+    /// <summary>$LTSCALE; 1 is not written.</summary>
+    public double LinetypeScale { get; init; } = 1.0;
+
     /// <summary>Text styles of the drawing; one that a text names is written even if it is not among them.</summary>
     public IReadOnlyList<TextStyle> TextStyles { get; init; } = [];
 
@@ -33,6 +39,16 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
             var (handles, next) = (new string[Entities.Count], DxfHandles.FirstEntityOf(this));
             for (var i = 0; i < handles.Length; i++, next += Entities[i - 1].Handles) handles[i] = next.ToString("X", CultureInfo.InvariantCulture);
             return handles;
+        }
+    }
+
+    /// <summary>The handle under which each of <see cref="Points"/> is written.</summary>
+    public IReadOnlyList<string> PointHandles
+    {
+        get
+        {
+            var first = DxfHandles.FirstEntityOf(this) + Entities.Sum(entity => entity.Handles) + Texts.Count;
+            return [.. Enumerable.Range(first, Points.Count).Select(handle => handle.ToString("X", CultureInfo.InvariantCulture))];
         }
     }
 

@@ -32,6 +32,18 @@ public readonly record struct DxfSheetEntity(Segment Segment, string Layer, stri
 
     public DrawingColour Colour { get; init; }
 
+    /// <summary>Name of its linetype; null for by layer.</summary>
+    public string? Linetype { get; init; }
+
+    /// <summary>Scale of the pattern of its linetype.</summary>
+    public double? LinetypeScale { get; init; }
+
+    /// <summary>The pattern of a polyline runs through its vertices.</summary>
+    public bool RunsThrough { get; init; }
+
+    /// <summary>The inserts from which it comes, the outermost first; null or empty for none. The reader of this package restores them.</summary>
+    public IReadOnlyList<DxfSheetInsert>? Inserts { get; init; }
+
     /// <summary>Written as invisible (code 60).</summary>
     public bool Hidden { get; init; }
 

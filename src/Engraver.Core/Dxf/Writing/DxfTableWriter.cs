@@ -10,10 +10,11 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
     private const int Locked = 4;
     private const int Vertical = 4;
 
-    public void Write(IReadOnlyList<DxfSheetLayer> layers, IReadOnlyList<TextStyle> styles)
+    public void Write(DxfSheet sheet)
     {
+        var (layers, styles) = (sheet.Layers, sheet.Styles);
         Table("VPORT", ["*Active"], ViewPort);
-        Table("LTYPE", ["ByBlock", "ByLayer", "Continuous"], LineType);
+        Table<Linetype>("LTYPE", [new("ByBlock"), new("ByLayer"), new("Continuous"), .. sheet.Linetypes], LineType);
         Table<DxfSheetLayer>("LAYER", layers.Any(layer => layer.Name == "0") ? [.. layers] : [new DxfSheetLayer("0", 7), .. layers], Layer);
         Table<TextStyle>("STYLE", [.. styles], Style);
         Table<string>("VIEW", [], (_, _) => { });
@@ -50,14 +51,17 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
         .Real(40, 300.0).Real(41, 1.6).Real(42, 50.0).Real(43, 0.0).Real(44, 0.0).Real(50, 0.0).Real(51, 0.0)
         .Integer(71, 0).Integer(72, 100).Integer(73, 1).Integer(74, 3).Integer(75, 0).Integer(76, 0).Integer(77, 0).Integer(78, 0);
 
-    private void LineType(string name, int table) => Row("LTYPE", "AcDbLinetypeTableRecord", name, table)
-        .Text(3, name == "Continuous" ? "Solid line" : "").Integer(72, 65).Integer(73, 0).Real(40, 0.0);
+    private void LineType(Linetype linetype, int table)
+    {
+        Row("LTYPE", "AcDbLinetypeTableRecord", linetype.Name, table).Text(3, linetype.Name == "Continuous" ? "Solid line" : "").Integer(72, 65).Integer(73, linetype.Elements.Count).Real(40, linetype.PatternLength);
+        foreach (var element in linetype.Elements) tags.Real(49, element).Integer(74, 0);
+    }
 
     private void Layer(DxfSheetLayer layer, int table)
     {
         Row("LAYER", "AcDbLayerTableRecord", layer.Name, table, (layer.Frozen ? Frozen : 0) | (layer.Locked ? Locked : 0)).Integer(62, layer.On ? layer.Colour : -layer.Colour);
         if (layer.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
-        tags.Text(6, "Continuous");
+        tags.Text(6, layer.Linetype);
         if (!layer.Plots) tags.Integer(290, 0);
         tags.Integer(370, -3);
     }

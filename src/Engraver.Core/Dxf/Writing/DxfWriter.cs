@@ -1,3 +1,4 @@
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
@@ -10,7 +11,7 @@ namespace Engraver.Core.Dxf.Writing;
 public static class DxfWriter
 {
     /// <summary>Name under which the extended data is registered.</summary>
-    public const string Application = "CNCENGRAVER";
+    public const string Application = RestoredInserts.Application;
 
     /// <summary>Codes of $INSUNITS for English units.</summary>
     private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
@@ -22,7 +23,7 @@ public static class DxfWriter
         var tags = new DxfTagWriter(output, DxfHandles.FirstFree);
         tags.Section("HEADER", header => Header(header, sheet));
         tags.Section("CLASSES", _ => { });
-        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet.Layers, sheet.Styles));
+        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet));
         tags.Section("BLOCKS", Blocks);
         new DxfTagWriter(output, DxfHandles.FirstEntityOf(sheet)).Section("ENTITIES", entities => Entities(entities, sheet));
         tags.Section("OBJECTS", DxfObjectWriter.Write);
@@ -36,6 +37,7 @@ public static class DxfWriter
         tags.Text(9, "$DWGCODEPAGE").Text(3, "ANSI_1252");
         tags.Text(9, "$INSUNITS").Integer(70, sheet.InsUnits);
         tags.Text(9, "$MEASUREMENT").Integer(70, s_english.Contains(sheet.InsUnits) ? 0 : 1);
+        if (sheet.LinetypeScale != 1.0) tags.Text(9, "$LTSCALE").Real(40, sheet.LinetypeScale);
         tags.Text(9, "$EXTMIN").Point(10, new Point2D(box.MinX, box.MinY));
         tags.Text(9, "$EXTMAX").Point(10, new Point2D(box.MaxX, box.MaxY));
         tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntityOf(sheet) + sheet.Handles);
@@ -57,12 +59,25 @@ public static class DxfWriter
         {
             DxfSegmentWriter.Write(tags, entity);
             if (entity.Role is { } role) ExtendedData(tags, role, entity);
+            else if (entity.Heights is null) InsertData(tags, entity);
             if (!tags.IsFinite) throw new UnwritableEntityException(entity.Source);
         }
 
         foreach (var text in sheet.Texts) DxfTextWriter.Write(tags, text);
-        foreach (var (point, layer) in sheet.Points) tags.BeginEntity("POINT", layer, point.Colour, point.Hidden).Class("AcDbPoint").Point(10, point.Position);
+        foreach (var (point, layer, linetype) in sheet.Points) tags.BeginEntity("POINT", layer, point.Colour, point.Hidden, linetype).Class("AcDbPoint").Point(10, point.Position);
         if (!tags.IsFinite) throw new UnwritableEntityException(default);
+    }
+
+    /// <summary>First text of the extended data of a curve that comes from inserts.</summary>
+    private const string InsertMark = RestoredInserts.Mark;
+
+    /// <summary>The inserts of a curve: name, number and insertion point of each. A point of code 1011 moves with its entity in AutoCAD (DXF reference,
+    /// "Extended Data").</summary>
+    internal static void InsertData(DxfTagWriter tags, in DxfSheetEntity entity)
+    {
+        if (entity.Inserts is not { Count: > 0 } inserts) return;
+        tags.Text(1001, Application).Text(1000, InsertMark);
+        foreach (var (block, number, place) in inserts) tags.Text(1000, block).Integer(1071, number).Point(1011, place);
     }
 
     private static void ExtendedData(DxfTagWriter tags, string role, in DxfSheetEntity entity)

@@ -22,6 +22,7 @@ internal sealed class KerfCommand : ICommand
         var changed = state.Settings with { Kerf = side, ToolDiameterMm = diameter };
         if (SettingTable.Operations.Conflict(changed) is { } conflict) throw new CommandException(CommandFailure.Usage, SettingWording.AtCommandLine(conflict));
         context.Commit(state with { Settings = changed });
+        if (side != KerfSide.Off) OperationHint.Write(context, "Kerf.OperationsAreTheWay");
     }
 
     private static async Task<double> DiameterAsync(CommandContext context, KerfSide side, double before)

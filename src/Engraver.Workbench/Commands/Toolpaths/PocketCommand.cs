@@ -32,6 +32,7 @@ internal sealed class PocketCommand : ICommand
         cancellation.ThrowIfCancellationRequested();
         context.WriteMessage(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
         var hasOperations = context.Document.Current.Settings.Operations is not null;
+        if (!hasOperations) OperationHint.Write(context, "Pocket.OperationsAreTheWay");
         if (isJob && hasOperations) context.WriteMessage(Wording.Get("Pocket.OperationsAreTheJob"));
         isJob &= !hasOperations;
         Commit(context, drawing, selected.Entities, cuts, isJob);
