@@ -1,3 +1,4 @@
+using System.Text.Json.Serialization;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;
@@ -13,8 +14,20 @@ namespace Engraver.Cli.Output;
 /// <param name="Uncut">Places that its tool does not reach.</param>
 internal sealed record OperationJson(string Id, string Name, string Kind, int Tool, double Feed, double? Plunge, double? Depth, int Curves, int Strokes, int Passes, double Length, int Uncut)
 {
+    /// <summary>What was measured; not written where nothing was.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public MeasuredJson? Measured { get; init; }
+
     /// <summary>The operations of a job; null for a job without operations.</summary>
-    public static IReadOnlyList<OperationJson>? Of(PreparedJob? job) => job?.Settings.Operations is null
+    /// <param name="measured">What was measured of them; empty for a plan.</param>
+    public static IReadOnlyList<OperationJson>? Of(PreparedJob? job, IReadOnlyList<MeasuredOperation> measured) => job?.Settings.Operations is null
         ? null
-        : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, one.Operation.KindWord, one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut))];
+        : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, one.Operation.KindWord, one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut)
+        {
+            Measured = measured.FirstOrDefault(found => found.Id == one.Operation.Id) is { } found ? new MeasuredJson(found.MaxDeviation, found.MissingLength, found.ExtraLength, found.Feed, found.Depths) : null,
+        })];
+
+    /// <param name="Feed">The fastest cutting speed, mm/min; null when unknown.</param>
+    /// <param name="Depths">Of each pass, mm; empty without a tool axis.</param>
+    internal sealed record MeasuredJson(double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths);
 }

@@ -17,10 +17,10 @@ internal static class PlanReport
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
         PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? job.Shapes.SelectMany(shape => shape.Uncut)).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job), Sections = SectionsOf(job, program, timesOf) };
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job, []), Sections = SectionsOf(job, program, timesOf) };
         var peaks = MotionPeaks.From(program);
         var cost = JobSheet.Of(job, times, rates).Cost;
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job), Sections = SectionsOf(job, program, timesOf) };
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job, []), Sections = SectionsOf(job, program, timesOf) };
     }
 
     public static void Text(TextWriter output, PlanJson plan)

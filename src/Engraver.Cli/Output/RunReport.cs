@@ -38,7 +38,7 @@ internal static class RunReport
         MaxFollowingError = report.Judgement.FollowingMm,
         Tolerance = report.ToleranceMm,
         Fonts = job.Fonts,
-        Operations = OperationJson.Of(job),
+        Operations = OperationJson.Of(job, report.Judgement.Operations),
         Sections = SectionJson.Of(report),
     };
 
@@ -64,7 +64,7 @@ internal static class RunReport
         LeftOut = job is null ? null : LeftOut(job),
         NotCut = job?.NotCut.Counts,
         Fonts = job?.Fonts ?? [],
-        Operations = OperationJson.Of(job),
+        Operations = OperationJson.Of(job, []),
         Origin = null,
         FinalZ = null,
         Holds = 0,

@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Output;
@@ -6,6 +8,10 @@ namespace Engraver.Cli.Output;
 /// <param name="Target">The target as which the program was read.</param>
 internal sealed record VerifyJson(double? MaxDeviation, double Tolerance, double MissingLength, double ExtraLength, bool Ok, double? MinFeed, double? MaxFeed, double? LowestZ, double? Blend, string Target)
 {
+    /// <summary>What was measured of each operation; not written for a job without operations.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<MeasuredOperation>? Operations { get; init; }
+
     public static VerifyJson From(VerificationReport report, string target) =>
-        new(report.MaxDeviationMm, report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm, report.Ok, report.SlowestMmPerMinute, report.FastestMmPerMinute, report.LowestZMm, report.BlendMm, target);
+        new(report.MaxDeviationMm, report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm, report.Ok, report.SlowestMmPerMinute, report.FastestMmPerMinute, report.LowestZMm, report.BlendMm, target) { Operations = report.Operations.Count == 0 ? null : report.Operations };
 }

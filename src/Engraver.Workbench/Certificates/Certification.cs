@@ -73,6 +73,7 @@ public static class Certification
             Tolerance = report.ToleranceMm,
             MissingLength = report.MissingLengthMm,
             ExtraLength = report.ExtraLengthMm,
+            Operations = report.Operations.Count == 0 ? null : report.Operations,
             Limits = Limits(job, request.Reader is { ReportsHeights: true }),
             PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Strategy).Total,
             Findings = [.. findings.OrderByDescending(found => found.Severity).Select(Finding)],

@@ -1,4 +1,5 @@
 using System.Text.Json.Serialization;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Workbench.Certificates;
@@ -43,6 +44,10 @@ public sealed record JobCertificate
 
     /// <summary>Length that the program cuts in addition to the drawing.</summary>
     public required double ExtraLength { get; init; }
+
+    /// <summary>What was measured of each operation; left out without operations.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<MeasuredOperation>? Operations { get; init; }
 
     /// <summary>Null when nothing is cut.</summary>
     public required CertifiedLimits? Limits { get; init; }

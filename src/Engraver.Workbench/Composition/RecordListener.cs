@@ -55,6 +55,15 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         }
     }
 
+    /// <summary>Reads from a judge while no sample is added to it.</summary>
+    public T Between<T>(Func<T> read)
+    {
+        lock (_gate)
+        {
+            return read();
+        }
+    }
+
     public void Add(in MotionSample sample)
     {
         lock (_gate)

@@ -78,6 +78,9 @@ public sealed record HistoryEntry
 
     public double? MissingLength { get; init; }
 
+    /// <summary>What was measured of each operation; null without operations, and where it is unknown.</summary>
+    public IReadOnlyList<MeasuredOperation>? Operations { get; init; }
+
     /// <summary>Those of X, Y and Z for which <see cref="MaxDeviation"/> is based on commanded positions, because steppers have no feedback; null for
     /// none.</summary>
     public IReadOnlyList<char>? OpenLoop { get; init; }
@@ -141,6 +144,7 @@ public sealed record HistoryEntry
             PlannedSeconds = report.PlannedSeconds,
             MaxDeviation = report.Judgement.MaxDeviationMm,
             MissingLength = report.Judgement.MissingLengthMm,
+            Operations = report.Judgement.Operations.Count == 0 ? null : report.Judgement.Operations,
             OpenLoop = report.Judgement.MaxDeviationMm is null || report.CommandedOnly.Count == 0 ? null : report.CommandedOnly,
         };
     }

@@ -110,7 +110,6 @@ public sealed class MachineRuns
         ArgumentNullException.ThrowIfNull(options);
         await _interlock.FreeAsync().ConfigureAwait(false);
         var address = new SimulatedAddress(double.PositiveInfinity);
-        await using var connection = _machine.Families.At(address, program.Profile).Connect(address, _time, false, null);
         var report = await _interlock.RunAsync(
             async stop =>
             {
@@ -118,8 +117,15 @@ public sealed class MachineRuns
                 return LastRun = await SectionedRun.RunAsync(
                     options(address),
                     program.Profile.Scale,
-                    section => MachineRun.RunAsync(job, program, connection, section, _time, Listener(null), stop),
+                    RunAsync,
                     (_, refused) => Task.FromResult(refused is null)).ConfigureAwait(false);
+
+                // Each section finds its machine at 0, where a simulated one has its origin.
+                async Task<MachineRunReport> RunAsync(MachineRunOptions section)
+                {
+                    await using var connection = _machine.Families.At(address, program.Profile).Connect(address, _time, false, null);
+                    return await MachineRun.RunAsync(job, program, connection, section, _time, Listener(null), stop).ConfigureAwait(false);
+                }
             },
             cancellation).ConfigureAwait(false);
         Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;

@@ -38,7 +38,7 @@ public static class ProgramVerification
         var report = Report(job, tolerances, faults.Count > 0 ? faults : judges.Findings(), judges.Verdicts(), bridges);
         if (job.LetterFaults is { Count: > 0 } misplaced) report = report with { Ok = false, Diagnostics = [.. misplaced, .. report.Diagnostics] };
         if (report.Ok && judges.ResidualFinding(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
-        return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
+        return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest, Operations = judges.Operations() };
     }
 
     /// <summary>The controller may deviate from the program by its path control: both distances are added. Without a bound they are unknown.</summary>

@@ -17,6 +17,7 @@ internal sealed class ReadBackJudges
     private readonly ITraceJudge[] _cuts;
     private readonly LengthJudge? _length;
     private readonly ScheduleJudge? _pace;
+    private readonly OperationJudge? _operations;
     private readonly double _deviation;
 
     /// <param name="tolerances">Tolerances of the reader's format.</param>
@@ -26,6 +27,7 @@ internal sealed class ReadBackJudges
         var (machine, isInSpace) = (job.Settings.CuttingMachine, reader.ReportsHeights && job.Settings.CuttingMachine.Height is not null);
         (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
+        _operations = OperationJudge.Of(job, null, isInSpace ? RunJudge.Tolerances(job) : tolerances, isInSpace);
         _length = reader.ReportsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
         _pace = reader.ReportsTimes && machine.Height is null ? new ScheduleJudge() : null;
         Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.ReportsHeights ? machine.Height?.PlungeMmPerMinute : null);
@@ -42,10 +44,13 @@ internal sealed class ReadBackJudges
     /// <summary>Verdict for the drawing, and for the drawing with bridges if there are any.</summary>
     public TraceVerdict[] Verdicts() => [.. _cuts.Select(judge => judge.Verdict())];
 
+    /// <summary>What was measured of the operations; empty without operations.</summary>
+    public IReadOnlyList<MeasuredOperation> Operations() => _operations?.Measured() ?? [];
+
     /// <summary>Creates the request that reports to all judges.</summary>
     /// <param name="start">Machine position at the start of the program.</param>
     public ReplayRequest Request(CountsPoint start, TimeSpan expected, TimeSpan longest) =>
-        new(_job.Settings.CuttingMachine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace }.OfType<ITraceJudge>()])
+        new(_job.Settings.CuttingMachine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace, _operations?.Judge }.OfType<ITraceJudge>()])
         {
             Entry = _posted.Start ?? (_job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null),
             Feeds = Feeds,

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Verification;
 
@@ -25,4 +26,7 @@ public sealed record VerificationReport(
 
     /// <summary>The lowest height of a cut relative to the drawing's height 0; null without heights.</summary>
     public double? LowestZMm { get; init; }
+
+    /// <summary>What was measured of the operations of which something is cut; empty without operations.</summary>
+    public IReadOnlyList<MeasuredOperation> Operations { get; init; } = [];
 }

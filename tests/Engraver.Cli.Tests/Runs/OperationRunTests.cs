@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Simulator;
 using Engraver.TestKit;
 
@@ -148,8 +149,9 @@ public sealed class OperationRunTests : IDisposable
         Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["post", .. s_job, "--operations", s_operations, "--target", "galil", "-o", program])).ExitCode);
         string[] verify = ["verify", program, "--against", s_job[0], .. s_job[1..], "--operations"];
 
-        var same = await CliRun.RunAsync([.. verify, s_operations]);
+        var same = await CliRun.RunAsync([.. verify, s_operations, "--json"]);
         Assert.True(same.ExitCode == ExitCode.Done, same.Error);
+        Assert.Equal(["marks 0.2", "holes 4", "pocket 1 2", "outline 0.93 1.87 2.8 3"], JsonText.Of(same).GetProperty("operations").EnumerateArray().Select(one => string.Join(' ', one.GetProperty("depths").EnumerateArray().Select(depth => Math.Round(depth.GetDouble(), 2).ToString(CultureInfo.InvariantCulture)).Prepend(one.GetProperty("id").GetString()))));
         Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync([.. verify, WithText(from, to)])).ExitCode);
     }
 

@@ -75,6 +75,11 @@ public sealed class ToolChangeRunTests : IDisposable
         Assert.Equal(sections.Max(one => one.GetProperty("maxDeviation").GetDouble()), report.GetProperty("maxDeviation").GetDouble());
         Assert.Equal(sections.Sum(one => one.GetProperty("seconds").GetDouble()), report.GetProperty("seconds").GetDouble(), 6);
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, 0.005);
+        var measured = report.GetProperty("operations").EnumerateArray().Select(one => one.GetProperty("measured")).ToList();
+        Assert.Equal([0.2, 1.0, 0.4], measured.Select(one => Math.Round(Assert.Single(one.GetProperty("depths").EnumerateArray()).GetDouble(), 2)));
+        Assert.All(measured, one => Assert.InRange(one.GetProperty("maxDeviation").GetDouble() + one.GetProperty("missingLength").GetDouble() + one.GetProperty("extraLength").GetDouble(), 0.0, 0.005));
+        Assert.InRange(measured[0].GetProperty("feed").GetDouble(), 890.0, 905.0);
+        Assert.Equal(JsonValueKind.Null, measured[1].GetProperty("feed").ValueKind);
         Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
     }
 

@@ -171,6 +171,33 @@ public class OperationCommandTests
 
     private static OperationPlan? Plan(CommandTestSession talk) => talk.State.Settings.Operations;
 
+    /// <summary>The height of the work is set with the second tool, 4 mm higher; setting it keeps what START cuts.</summary>
+    [Fact]
+    public async Task A_job_of_two_tools_ends_at_the_change_and_its_rest_is_cut_at_the_new_height()
+    {
+        await using var talk = await PlateAsync();
+        await File.WriteAllTextAsync(talk.PathOf("two.json"), """
+            { "version": "1.0", "tools": [{"number": 1, "diameter": 0.2}, {"number": 3, "name": "Drill", "diameter": 3}],
+              "operations": [
+                { "id": "a", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 0.2 },
+                { "id": "b", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 3, "depth": 1 }] }
+            """);
+        await talk.TypeAsync("OPERATION", "LO", talk.PathOf("two.json"), "CNCCONNECT", "sim:", "CNCZERO", "All");
+        var runs = talk.Session.Machine.Runs;
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+        Assert.Contains("the rest needs tool Drill (3)", talk.Said, StringComparison.Ordinal);
+        Assert.Equal((JobOutcome.ToolChange, true), (runs.LastRun!.Result.Outcome, runs.Part is { IsToolChange: true }));
+        await talk.TypeAsync("CNCZERO", "Z", "Yes");
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+        Assert.Equal((JobOutcome.Complete, null), (runs.LastRun!.Result.Outcome, runs.Part));
+        Assert.Equal(4.0, runs.LastRun.Placement!.Frame!.Value.Z / 800.0, 6);
+        Assert.Equal(["b"], runs.LastRun.Judgement.Operations.Select(one => one.Id));
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
+        Assert.Equal((JobOutcome.Complete, 2), (runs.LastRun!.Result.Outcome, runs.LastRun.Sections.Count));
+    }
+
     private static async Task<CommandTestSession> PlateAsync()
     {
         var talk = new CommandTestSession();

@@ -128,15 +128,17 @@ public static class MachineRun
     {
         var job = section?.JudgedOf(whole) ?? whole;
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
-        if (judge is not null) beginning.FeedJudge(judge, placement.Program, section);
-        var listener = judge is null ? null : new RecordListener(job.Settings.CuttingMachine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
+        var operations = judge is null ? null : OperationJudge.Of(whole, section?.Tool, RunJudge.Tolerances(job), job.Settings.CuttingMachine.Height is not null);
+        ITraceJudge[] judges = [.. new[] { judge, operations?.Judge }.OfType<ITraceJudge>()];
+        foreach (var one in judges) beginning.FeedJudge(one, placement.Program, section);
+        var listener = judge is null ? null : new RecordListener(job.Settings.CuttingMachine, judges) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // Cuts of earlier jobs on the same simulated controller do not count for this one.
         listener?.Start(frame.X, frame.Y, frame.Z);
         var polled = options.DryRun || connection.Simulator is not null ? null : new PolledJudge(job);
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
-            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(section?.UpToEnd(placement.Program) ?? placement.Program, ended, listener, polled)),
+            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(section?.UpToEnd(placement.Program) ?? placement.Program, ended, listener, operations, polled)),
             Strategy = options.Strategy,
             JournalPath = options.JournalPath,
             Address = connection.Description,
@@ -179,9 +181,9 @@ public static class MachineRun
         return trace;
     }
 
-    private static RunJudgement Judge(MotionProgram program, JobResult result, RecordListener? listener, PolledJudge? polled)
+    private static RunJudgement Judge(MotionProgram program, JobResult result, RecordListener? listener, OperationJudge? operations, PolledJudge? polled)
     {
         if (result.FrameOrigin is null) return RunJudgement.Unknown;
-        return listener is not null ? RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors) : polled?.Judge(program, result) ?? RunJudgement.Unknown;
+        return listener is not null ? RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors) with { Operations = operations is null ? [] : listener.Between(operations.Measured) } : polled?.Judge(program, result) ?? RunJudgement.Unknown;
     }
 }

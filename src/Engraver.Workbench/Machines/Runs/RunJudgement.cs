@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
@@ -27,6 +28,10 @@ public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthM
     /// <summary>The first position of the drawing that was not cut, millimetres; null if nothing is missing or it is unknown.</summary>
     public Point2D? MissingAt { get; init; }
 
+    /// <summary>What was measured of the operations of which something was cut; empty without operations, and for polled positions, which do not show every
+    /// stroke.</summary>
+    public IReadOnlyList<MeasuredOperation> Operations { get; init; } = [];
+
     /// <summary>The judgement of several runs that cut one drawing: the largest deviation and the sum of the missing lengths. A figure that is unknown in one
     /// of them is unknown.</summary>
     /// <param name="runs">At least one.</param>
@@ -42,6 +47,7 @@ public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthM
             CommandedDeviationMm = runs.All(run => run.CommandedDeviationMm is not null) ? runs.Max(run => run.CommandedDeviationMm) : null,
             FollowingMm = runs.All(run => run.FollowingMm is not null) ? following.FollowingMm : null,
             FollowingAt = following.FollowingAt,
+            Operations = [.. runs.SelectMany(run => run.Operations)],
         };
     }
 }

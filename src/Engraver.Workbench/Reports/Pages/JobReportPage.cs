@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
@@ -165,8 +166,16 @@ public static class JobReportPage
         PagePair.Of(Wording.Get(run.OpenLoop is null ? "JobReport.MaxDeviation" : "JobReport.CommandedDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
         PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
         PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
+        .. Measured(run.Operations, "operation"),
         new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
     ];
+
+    /// <param name="operations">Null where nothing was measured.</param>
+    /// <param name="key">Before the id of an operation in the keys of the rows.</param>
+    private static IEnumerable<PagePair> Measured(IReadOnlyList<MeasuredOperation>? operations, string key) => (operations ?? []).Select(one => new PagePair(
+        Wording.Get("JobReport.Operation", one.Name.Length > 0 ? one.Name : one.Id),
+        Wording.Get("JobReport.OperationMeasured", one.MaxDeviation, one.MissingLength, one.ExtraLength, one.Feed is { } feed ? NumberText.Rounded(feed, 1) : "–", one.Depths.Count == 0 ? "–" : string.Join(", ", one.Depths.Select(depth => depth is { } deep ? NumberText.Rounded(deep, 3) : "–"))),
+        $"{key}.{one.Id}.measured"));
 
     private static void Certificate(CertificateStatus standing, TimeZoneInfo here, PageWriter page)
     {
@@ -181,6 +190,7 @@ public static class JobReportPage
             PagePair.Of(Wording.Get("JobReport.Tolerance"), "certificate.tolerance", certificate.Tolerance, "0.0000"),
             PagePair.Of(Wording.Get("JobReport.Missing"), "certificate.missingLength", certificate.MissingLength, "0.####"),
             PagePair.Of(Wording.Get("JobReport.Extra"), "certificate.extraLength", certificate.ExtraLength, "0.####"),
+            .. Measured(certificate.Operations, "certificate.operation"),
             new PagePair(Wording.Get("JobReport.CutExtents"), certificate.Limits is { } box ? Box(box) : "–"),
             PagePair.Of(Wording.Get("JobReport.SecondsTotal"), "certificate.plannedSeconds", certificate.PlannedSeconds, "0.0"),
             new PagePair(Wording.Get("JobReport.DrawingHash"), certificate.Drawing.Sha256 ?? "–", "drawing.sha256", Style: "code"),

@@ -1,0 +1,28 @@
+using Engraver.Core.Operations;
+using Engraver.Core.Verification;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>What was measured of one operation, each of its passes by its own nominal path; millimetres.</summary>
+/// <param name="Id">Its id in the operations of the job.</param>
+/// <param name="Name">Its name; empty for none.</param>
+/// <param name="Kind">As files write it.</param>
+/// <param name="Tool">Number of its tool.</param>
+/// <param name="MaxDeviation">Largest distance of a cutting sample from the path of its pass.</param>
+/// <param name="MissingLength">Length of the path of its passes that was not cut; of the passes of which something was cut.</param>
+/// <param name="ExtraLength">Length that was cut beside the path of its passes.</param>
+/// <param name="Feed">The fastest cutting speed over a tenth of a second, mm/min; null where it is unknown.</param>
+/// <param name="Depths">Deepest place of each pass below the top of the work; null for a pass of which nothing was cut. Empty without heights.</param>
+public sealed record MeasuredOperation(string Id, string Name, string Kind, int Tool, double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths)
+{
+    /// <param name="passes">In order; null for one of which nothing was cut.</param>
+    /// <param name="hasHeights">The heights of the tool were measured.</param>
+    /// <returns>Null where no pass of the operation was cut.</returns>
+    internal static MeasuredOperation? Of(Operation operation, IReadOnlyList<MeasuredPass?> passes, bool hasHeights)
+    {
+        var cut = passes.OfType<MeasuredPass>().ToList();
+        return cut.Count == 0 ? null : new MeasuredOperation(
+            operation.Id, operation.Name, operation.KindWord, operation.Tool, cut.Max(pass => pass.MaxDeviation), cut.Sum(pass => pass.MissingLength), cut.Sum(pass => pass.ExtraLength),
+            cut.Max(pass => pass.FeedMmPerMinute), hasHeights ? [.. passes.Select(pass => pass?.Depth)] : []);
+    }
+}
