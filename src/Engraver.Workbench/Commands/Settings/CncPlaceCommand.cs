@@ -63,10 +63,11 @@ internal sealed class CncPlaceCommand : ICommand
     /// <summary>Asks until the text is a value of the setting's option.</summary>
     private static async Task<T> TypedAsync<T>(CommandContext context, string prompt, Setting<T> setting)
     {
-        var shown = setting.ToWord(context.Document.Current.Settings) ?? setting.Default;
+        var present = setting.ToWord(context.Document.Current.Settings) ?? setting.Default;
+        var shown = setting.WhyNotOption(present) is null ? present : null; // "none" is not a value
         while (true)
         {
-            var typed = await context.ValueAsync(new TextPrompt(Wording.Get(prompt)) { Default = shown.Length > 0 ? shown : null }).ConfigureAwait(false);
+            var typed = await context.ValueAsync(new TextPrompt(Wording.Get(prompt)) { Default = shown }).ConfigureAwait(false);
             if (setting.ReadOption(typed) is ParsedInput<T>.Value { Result: var value }) return value;
             context.WriteMessage(setting.WhyNotOption(typed)!, MessageKind.Error);
         }
