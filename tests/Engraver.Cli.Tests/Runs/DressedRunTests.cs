@@ -18,10 +18,7 @@ public sealed class DressedRunTests : IDisposable
     [InlineData("square")]
     public async Task The_tool_descends_at_the_angle_rises_over_tabs_and_cuts_the_whole_contour(string tabs)
     {
-        var operations = _folder.WithFile("a.json", $$"""
-            { "version": "1.0", "tools": [{"number": 1, "diameter": 3}], "operations": [{ "id": "a", "kind": "profile", "select": {"layers": ["CUT"]}, "tool": 1, "feed": 900, "plunge": 60, "depth": 2, "depthPerPass": 1, "direction": "climb",
-              "start": {"at": [[45, 60]]}, "ramp": {"angle": 8}, "overcut": 5, "leadIn": {"shape": "line", "length": 2}, "leadOut": {"shape": "arc", "radius": 2}, "tabs": {"at": [[45, 0]], "width": 4, "height": 0.8, "shape": "{{tabs}}"} }] }
-            """);
+        var operations = Operations(tabs);
         using var limit = new CancellationTokenSource(TimeSpan.FromMinutes(2));
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var end = await controller.ListenTcpAsync(0, limit.Token);
@@ -49,4 +46,24 @@ public sealed class DressedRunTests : IDisposable
 
         Assert.True(isRamped && overTab is > -1.25 and < -0.9, $"{overTab}");
     }
+
+    /// <summary>In the ramp of a window of 24 mm, and on the outline.</summary>
+    [Theory]
+    [InlineData(40)]
+    [InlineData(300)]
+    public async Task A_run_that_was_stopped_is_resumed_and_nothing_is_missing(int report)
+    {
+        var journal = _folder.PathOf("first.jsonl");
+        string[] run = ["run", SampleDrawing.PathOf("operation-plate"), "--machine", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), "--operations", Operations("sloped"), "--connect", "sim:", "--json"];
+        Assert.Equal(ExitCode.StoppedByOperator, (await ResumeRunTests.StoppedAsync(report, [.. run, "--journal", journal])).ExitCode);
+
+        var second = await CliRun.RunAsync([.. run, "--resume", journal, "--journal", _folder.PathOf("second.jsonl")]);
+        Assert.True(second.ExitCode == ExitCode.Done, second.Error);
+        Assert.Equal(0.0, JsonText.Of(second).GetProperty("missingLength").GetDouble());
+    }
+
+    private string Operations(string tabs) => _folder.WithFile("a.json", $$"""
+            { "version": "1.0", "tools": [{"number": 1, "diameter": 3}], "operations": [{ "id": "a", "kind": "profile", "select": {"layers": ["CUT"]}, "tool": 1, "feed": 900, "plunge": 60, "depth": 2, "depthPerPass": 1, "direction": "climb",
+              "start": {"at": [[45, 60]]}, "ramp": {"angle": 8}, "overcut": 5, "leadIn": {"shape": "line", "length": 2}, "leadOut": {"shape": "arc", "radius": 2}, "tabs": {"at": [[45, 0]], "width": 4, "height": 0.8, "shape": "{{tabs}}"} }] }
+            """);
 }
