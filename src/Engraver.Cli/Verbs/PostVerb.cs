@@ -2,12 +2,15 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Drawings;
 using Engraver.Core.Languages;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -37,9 +40,12 @@ internal static class PostVerb
             VerbHost.RejectSameFile(drawing.File(parsed), parsed.GetValue(output));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
-            var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen, ValuesOption.Read(parsed.GetValue(values)));
-            Write(host, parsed, posted, PostTable.Find(parsed.GetRequiredValue(target)).Post.Name, parsed.GetValue(output), parsed.GetValue(json));
-            if (posted.Text is not null) host.Remember(HistoryEntry.OfPost(read, settings, parsed.GetRequiredValue(target), chosen, parsed.GetValue(output), TimeProvider.System.GetUtcNow()));
+            var (post, file, plate) = (PostTable.Find(parsed.GetRequiredValue(target)).Post, parsed.GetValue(output), ValuesOption.Read(parsed.GetValue(values)));
+            var programs = (file is null ? parsed.GetValue(json) : !FileKind.IsStream(file)) ? ToolProgram.Of(read, settings, post, chosen, plate) : [];
+            if (programs.Count > 0) return Task.FromResult(WriteAll(host, parsed, new PostRun(read, settings, post.Name, chosen), programs, file, parsed.GetValue(json)));
+            var posted = PostedProgram.Create(read, settings, post, chosen, plate);
+            Write(host, parsed, posted, post.Name, file, parsed.GetValue(json));
+            if (posted.Text is not null) host.Remember(HistoryEntry.OfPost(read, settings, post.Name, chosen, file, TimeProvider.System.GetUtcNow()));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;
@@ -53,6 +59,26 @@ internal static class PostVerb
         if (asJson) ContractJson.Write(host.Out, PostJson.From(target, file, posted), ContractJson.Default.PostJson);
         else if (file is not null && posted.Forecast is { } forecast && !host.Quiet(parsed)) ForecastText.Write(host.Out, forecast);
     }
+
+    /// <summary>Writes the program of each tool to a file of its own; none of them where one cannot be written.</summary>
+    private static int WriteAll(VerbHost host, ParseResult parsed, PostRun run, IReadOnlyList<ToolProgram> programs, string? file, bool asJson)
+    {
+        var isWritten = programs.All(program => program.Posted.Text is not null);
+        foreach (var program in isWritten && file is not null ? programs : [])
+        {
+            var own = program.FileOf(file!);
+            VerbHost.RejectSameFile(run.Drawing.FileName, own);
+            host.Write(own, writer => writer.Write(program.Posted.Text));
+            host.Remember(HistoryEntry.OfPost(run.Drawing, run.Settings with { Tool = program.Tool.Number }, run.Target, run.Options, own, TimeProvider.System.GetUtcNow()));
+        }
+
+        if (asJson) ContractJson.Write(host.Out, PostJson.From(run.Target, isWritten ? file : null, isWritten ? programs : []), ContractJson.Default.PostJson);
+        else if (isWritten && !host.Quiet(parsed)) foreach (var program in programs) host.Out.WriteLine(Wording.Get("Post.ToolFile", program.FileOf(file!), program.Tool.Title));
+        return host.Report(parsed, run.Drawing.FileName, [.. programs.SelectMany(program => program.Posted.Diagnostics).DistinctBy(finding => (finding.Rule, finding.Source, finding.Sentence))]);
+    }
+
+    /// <param name="Options">Those of the post by name.</param>
+    private sealed record PostRun(Drawing Drawing, DrawingSettings Settings, string Target, IReadOnlyDictionary<string, string> Options);
 
     private static Option<string?> Choice(PostOption option)
     {

@@ -34,7 +34,7 @@ public static class OperationRules
 
     public static readonly DiagnosticRule OpenContour = new("OPR0016", Severity.Error, "operation", "x", "y");
 
-    public static readonly DiagnosticRule NotPosted = new("OPR0017", Severity.Error, "target");
+    public static readonly DiagnosticRule NotPosted = new("OPR0017", Severity.Error, "target", "reason");
 
     public static readonly DiagnosticRule NotAsStated = new("OPR0018", Severity.Error, "operation", "what", "x", "y");
 
@@ -51,6 +51,14 @@ public static class OperationRules
     public static readonly DiagnosticRule NotFilled = new("OPR0024", Severity.Warning, "operation", "count", "x", "y");
 
     public static readonly DiagnosticRule ToolNotChanged = new("OPR0030", Severity.Warning, "journal", "tool");
+
+    public static readonly DiagnosticRule ToolChanged = new("OPR0035", Severity.Warning, "count", "how");
+
+    public static readonly DiagnosticRule PassMissing = new("OPR0036", Severity.Error, "length", "expected");
+
+    public static readonly DiagnosticRule NotInFormat = new("OPR0037", Severity.Error, "target", "field", "operation");
+
+    public static readonly DiagnosticRule LeftOut = new("OPR0038", Severity.Warning, "target", "field", "operation");
 
     public static readonly DiagnosticRule LinetypeUnknown = new("OPR0040", Severity.Error, "operation", "linetype", "nearest");
 
@@ -82,8 +90,8 @@ public static class OperationRules
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
-        SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged,
-        LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
+        SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
+        NotInFormat, LeftOut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
     ];
 }

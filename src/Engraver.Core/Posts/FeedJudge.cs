@@ -32,14 +32,22 @@ public sealed class FeedJudge(double feed, double? plunge)
     /// <param name="length">Length of the cut, millimetres.</param>
     /// <param name="fall">Height of the start above the end, millimetres; below 0 for a rise.</param>
     /// <param name="quantum">Step of a feed in the format, mm/min.</param>
-    public void Add(int line, double mmPerMinute, double length, double fall = 0.0, double quantum = 0.0)
+    /// <param name="strokes">The strokes that the cut may be, whose feeds count instead of those of the job; null or empty: unknown.</param>
+    public void Add(int line, double mmPerMinute, double length, double fall = 0.0, double quantum = 0.0, IReadOnlyList<StrokeRequirement>? strokes = null)
     {
         if (!(length > 0.0)) return;
         if (double.IsFinite(mmPerMinute)) (Slowest, Fastest) = (Math.Min(Slowest ?? mmPerMinute, mmPerMinute), Math.Max(Fastest ?? mmPerMinute, mmPerMinute));
+        if (Finding is not null) return;
+        List<(double Least, double Most)> ranges = [.. strokes is { Count: > 0 } ? strokes.Select(stroke => Range(stroke.Feed, plunge is null ? null : stroke.Plunge ?? plunge, length, fall)) : [Range(feed, plunge, length, fall)]];
+        if (!ranges.Any(range => IsWithin(range.Least, range.Most))) Finding = Other(line, mmPerMinute, ranges[0].Least, ranges[0].Most);
+
+        bool IsWithin(double least, double most) => (most * Rounding) + quantum is var within && mmPerMinute <= most + within && mmPerMinute >= least - within && mmPerMinute > 0.0;
+    }
+
+    private static (double Least, double Most) Range(double feed, double? plunge, double length, double fall)
+    {
         var most = plunge is { } down && fall > 0.0 ? fall >= length * StraightDown ? down : Math.Min(feed, down * length / fall) : feed;
-        var least = fall == 0.0 ? feed : 0.0;
-        var within = (most * Rounding) + quantum;
-        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = Other(line, mmPerMinute, least, most);
+        return (fall == 0.0 ? feed : 0.0, most);
     }
 
     private static Diagnostic Other(int line, double mmPerMinute, double least, double most)

@@ -25,6 +25,9 @@ public interface IPost
     /// <summary>Options in addition to the settings of the job; may be empty.</summary>
     IReadOnlyList<PostOption> Options { get; }
 
+    /// <summary>Why a job with operations cannot be written in the format; null where it can.</summary>
+    string? OperationsRefusal => Wording.Get("Post.NoOperations");
+
     PostOutput Write(PostRequest request);
 
     /// <summary>The findings of <see cref="Write"/>. A post that can determine them without writing overrides this.</summary>

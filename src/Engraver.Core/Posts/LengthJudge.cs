@@ -15,13 +15,16 @@ public sealed class LengthJudge : ITraceJudge
 
     private readonly double _expected;
     private readonly double _allowed;
+    private readonly bool _isWhole;
     private TraceSample? _last;
 
     /// <param name="path">The path to cut, each stroke once.</param>
     /// <param name="deviation">Largest shift of an end of a move, millimetres.</param>
+    /// <param name="isWhole">The program must cut the whole length: a path that it does not repeat is not otherwise found.</param>
     /// <param name="isCoarse">True when the format rounds positions to more than one machine count.</param>
-    public LengthJudge(Toolpath path, double deviation, bool isCoarse)
+    public LengthJudge(Toolpath path, double deviation, bool isCoarse, bool isWhole)
     {
+        _isWhole = isWhole;
         ArgumentNullException.ThrowIfNull(path);
         var moves = 0;
         foreach (var stroke in path.Strokes)
@@ -42,8 +45,9 @@ public sealed class LengthJudge : ITraceJudge
     /// <summary>Length cut so far, millimetres.</summary>
     public double Length { get; private set; }
 
-    /// <summary>The error; null while the cut length does not exceed the length of the job.</summary>
-    public Diagnostic? Finding => Length <= _expected + _allowed ? null : VerificationRules.CutTwice.At(default, FactText.Of(Math.Round(Length, 4)), FactText.Of(Math.Round(_expected, 4)));
+    /// <summary>The error; null while the cut length does not exceed the length of the job, and, where it is exact, is not below it.</summary>
+    public Diagnostic? Finding => _isWhole && Length < _expected - _allowed ? OperationRules.PassMissing.At(default, FactText.Of(Math.Round(Length, 4)), FactText.Of(Math.Round(_expected, 4))) :
+        Length <= _expected + _allowed ? null : VerificationRules.CutTwice.At(default, FactText.Of(Math.Round(Length, 4)), FactText.Of(Math.Round(_expected, 4)));
 
     public void Add(in TraceSample sample)
     {

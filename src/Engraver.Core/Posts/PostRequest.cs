@@ -14,6 +14,9 @@ public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int
     /// <summary>The machine that runs it: feeds, tool drive, spindle. The motion program also contains it.</summary>
     public required MachineProfile Machine { get; init; }
 
+    /// <summary>The operations of the strokes; null for a job without operations.</summary>
+    public PostOperations? Operations { get; init; }
+
     /// <summary>Largest distance from the drawing where the format of the post does not have the drawn curve, millimetres, above 0.</summary>
     public required double MaxErrorMm { get; init; }
 

@@ -26,6 +26,9 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
     /// <summary>Requirements of the job in addition to the path, with the receiver of differences; null when not requested.</summary>
     public RequirementsJudge? Requirements { get; init; }
 
+    /// <summary>What the operations of the strokes require; null for a job without operations.</summary>
+    public StrokeRequirements? Strokes { get; init; }
+
     /// <summary>Called at the start of each further part of the program by a reader whose programs are loaded in parts; null when not requested.</summary>
     public ScheduleJudge? Schedule { get; init; }
 

@@ -93,6 +93,7 @@ public sealed class HeightJudge : ITraceJudge
         if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);
         if (_isVertical && UprightAt(_asked) is { } upright) nearest = upright;
         if (nearest >= 0 && deviation <= _tolerances.Coverage && Measure(nearest) is { IsAtDepth: true } found) Follow(nearest, found.Foot);
+        else if (_isVertical && AtDepth() is { } level) Follow(level.Piece, level.Foot);
         else _followed = (-1, default);
     }
 
@@ -102,6 +103,16 @@ public sealed class HeightJudge : ITraceJudge
         if (!_hasUpright) return null;
         var piece = _index.NearestBy((piece, _) => _pieces.IsUpright(piece) ? _pieces.Nearest(piece, place).Distance : double.PositiveInfinity, new Point2D(place.X, place.Y), _tolerances.Coverage, 0.0, out var distance);
         return piece >= 0 && distance <= _tolerances.Coverage ? piece : null;
+    }
+
+    /// <summary>A piece at whose height the tool is while it moves straight down, where deeper pieces, which it is above, are as near; null for none.</summary>
+    private (int Piece, double Foot)? AtDepth()
+    {
+        _isVertical = false;
+        var piece = _index.NearestBy(_measure, new Point2D(_asked.X, _asked.Y), _tolerances.Coverage, 0.0, out var distance);
+        var level = piece >= 0 && distance <= _tolerances.Coverage && Measure(piece) is { IsAtDepth: true } found ? (piece, found.Foot) : ((int Piece, double Foot)?)null;
+        _isVertical = true;
+        return level;
     }
 
     /// <summary>The last piece is tried first: samples are consecutive.</summary>

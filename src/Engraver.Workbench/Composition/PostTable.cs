@@ -57,11 +57,11 @@ public static class PostTable
     public static string ToMarkdown()
     {
         var page = new StringBuilder("# Posts\n\nThis page is generated from the program's own table (`./test --update-golden`).\n\n");
-        page.Append("| Target | Writes | File | Written from | Options | `verify` |\n|---|---|---|---|---|---|\n");
+        page.Append("| Target | Writes | File | Written from | Options | `verify` | [Operations](operations.md#programs) |\n|---|---|---|---|---|---|---|\n");
         foreach (var (post, _, reader) in All)
         {
             var options = string.Join(", ", post.Options.Select(option => $"`--{option.Name} {option.Argument}`"));
-            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.FileExtension}`", post.Geometry switch { PostGeometry.Program => $"motion program, {post.Motion}", PostGeometry.Curves => "path in mm", _ => "lines and arcs in mm" }, options, reader is null ? "no" : "yes").Append(" |\n");
+            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.FileExtension}`", post.Geometry switch { PostGeometry.Program => $"motion program, {post.Motion}", PostGeometry.Curves => "path in mm", _ => "lines and arcs in mm" }, options, reader is null ? "no" : "yes", post.OperationsRefusal is null ? "yes" : "no").Append(" |\n");
         }
 
         page.Append("\n| Option | Meaning | Value | Default | Of |\n|---|---|---|---|---|\n");

@@ -32,7 +32,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
     }
 
     /// <summary>The error for a result that is made from the drawing alone, if operations are requested for it.</summary>
-    internal static IEnumerable<Diagnostic> OperationsRefused(DrawingSettings settings, string target) => settings.Operations is null ? [] : [OperationRules.NotPosted.At(default, target)];
+    internal static IEnumerable<Diagnostic> OperationsRefused(DrawingSettings settings, string target) => settings.Operations is null ? [] : [OperationRules.NotPosted.At(default, target, Wording.Get("PostedProgram.WithoutOperations"))];
 
     /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>
     public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Cuts.SelectMany((cut, index) => EntitiesOf(cut, index + 1))]);

@@ -57,14 +57,18 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
         var (drawing, settings, sequence) = (job.Drawing, job.Settings, job.Sequence);
-        if (settings.Operations is not null) return new PostedProgram(null, [.. drawing.Diagnostics, OperationRules.NotPosted.At(default, post.Name)]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.NotPosted.Id) };
-        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(job), .. sequence.Diagnostics];
+        if (settings.Operations is not null && post.OperationsRefusal is { } reason) return new PostedProgram(null, [.. drawing.Diagnostics, OperationRules.NotPosted.At(default, post.Name, reason)]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.NotPosted.Id) };
+        // Whether a speed is set depends on the format: the post reports it.
+        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(job).Where(finding => finding.Rule != OperationRules.SpindleByHand), .. sequence.Diagnostics];
+        if (job.OperationFaults is { Count: > 0 } unusable) return new PostedProgram(null, [.. found, .. unusable]) { NoProgramReason = PreparedJob.NotAsDrawn(unusable) };
         if (sequence.Contours == 0) return CreateEmpty(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
         if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { NoProgramReason = PreparedJob.NotAsDrawn(faults) };
-        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.CuttingMachine, MaxErrorMm = settings.MaxErrorMm });
+        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.CuttingMachine, MaxErrorMm = settings.MaxErrorMm, Operations = OperationsOf(job) });
         return Written(written, found);
     }
+
+    private static PostOperations? OperationsOf(OrderedJob job) => job.Settings.Operations is { } plan && ToolSection.Of(plan, job.Passes) is { Count: > 0 } sections ? new PostOperations(plan, sections) : null;
 
     private static PostedProgram Written(PostOutput written, IReadOnlyList<Diagnostic> found)
     {

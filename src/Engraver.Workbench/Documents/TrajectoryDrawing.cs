@@ -23,7 +23,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(request);
-        if (settings.Operations is not null) return new TrajectoryDrawing([], [.. drawing.Diagnostics, OperationRules.NotPosted.At(default, "trajectory")]);
+        if (settings.Operations is not null) return new TrajectoryDrawing([], [.. drawing.Diagnostics, OperationRules.NotPosted.At(default, "trajectory", Wording.Get("PostedProgram.WithoutOperations"))]);
         var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
         if (CheckStage.TextFaultsOf(ordered) is { Count: > 0 } faults) return new TrajectoryDrawing([], [.. drawing.Diagnostics, .. JobPreparation.Findings(ordered), .. faults]);
         (drawing, var sequence) = (ordered.Drawing, ordered.Sequence);

@@ -13,20 +13,20 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
 
     public override bool StartsStep => false;
 
-    /// <summary>Faults of texts, and positions where a toolpath, whose coordinates are finite, differs from the drawing.</summary>
-    public static IReadOnlyList<Diagnostic> FaultsOf(ShapedJob job, Toolpath toolpath) =>
-        [.. TextFaultsOf(job), .. job.OperationFaults, .. ToolpathCheck.Findings(job.Cut.Table, toolpath, TolerancesOf(job), job.Drawing.SourceOf)];
+    /// <summary>Faults of texts, positions where a toolpath, whose coordinates are finite, differs from the drawing, and strokes that are not as their
+    /// operations state.</summary>
+    public static IReadOnlyList<Diagnostic> FaultsOf(OrderedJob job, Toolpath toolpath) =>
+        [.. TextFaultsOf(job), .. job.OperationFaults, .. ToolpathCheck.Findings(job.Cut.Table, toolpath, TolerancesOf(job), job.Drawing.SourceOf), .. OperationsFaultsOf(job, toolpath)];
 
     protected override CheckedJob Execute(MotionJob job, CancellationToken cancellation)
     {
-        IReadOnlyList<Diagnostic> faults = job.Motion.Program is null ? [.. TextFaultsOf(job), .. job.OperationFaults] : [.. FaultsOf(job, job.Toolpath), .. OperationsFaultsOf(job)];
+        IReadOnlyList<Diagnostic> faults = job.Motion.Program is null ? [.. TextFaultsOf(job), .. job.OperationFaults] : FaultsOf(job, job.Toolpath);
         return new CheckedJob(faults.Count > 0 ? job with { Motion = job.Motion with { Program = null } } : job, faults);
     }
 
-    /// <summary>Strokes that are not as their operations state.</summary>
-    private static IReadOnlyList<Diagnostic> OperationsFaultsOf(MotionJob job) => job.Shapes.Count == 0
+    private static IReadOnlyList<Diagnostic> OperationsFaultsOf(OrderedJob job, Toolpath toolpath) => job.Shapes.Count == 0
         ? []
-        : [.. OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, job.Toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf), .. DashCheck.Findings(job.Shapes, job.Drawing, job.Settings.MaxErrorMm)];
+        : [.. OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf), .. DashCheck.Findings(job.Shapes, job.Drawing, job.Settings.MaxErrorMm)];
 
     private static ToolpathTolerances TolerancesOf(DrawnJob job) => new(job.Settings.MaxErrorMm, job.Settings.JoinToleranceMm, job.Settings.RecoverArcs);
 

@@ -12,6 +12,9 @@ namespace Engraver.Workbench.Verification;
 /// <summary>All judges of a program that is read back: positions, feeds, lengths, times and other content.</summary>
 internal sealed class ReadBackJudges
 {
+    /// <summary>Added to the allowed deviation where a place is assigned to the strokes that pass it, mm.</summary>
+    private const double NearStroke = 0.001;
+
     private readonly PreparedJob _job;
     private readonly PostParameters _posted;
     private readonly ITraceJudge[] _cuts;
@@ -19,6 +22,7 @@ internal sealed class ReadBackJudges
     private readonly ScheduleJudge? _pace;
     private readonly OperationJudge? _operations;
     private readonly double _deviation;
+    private readonly StrokeRequirements? _strokes;
 
     /// <param name="tolerances">Tolerances of the reader's format.</param>
     /// <param name="bridges">Lines across gaps within the join tolerance, which may be cut too.</param>
@@ -28,7 +32,8 @@ internal sealed class ReadBackJudges
         (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
         _operations = OperationJudge.Of(job, null, isInSpace ? RunJudge.Tolerances(job) : tolerances, isInSpace);
-        _length = reader.ReportsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
+        if (job.Settings.Operations is { } plan && job.Sections is { Count: > 0 } sections) _strokes = new StrokeRequirements(job.Toolpath, new PostOperations(plan, sections), machine.FeedMmPerMinute, (2.0 * tolerances.Deviation) + NearStroke);
+        _length = reader.ReportsTimes || (isInSpace && _strokes is null) ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0, isWhole: _strokes is not null);
         _pace = reader.ReportsTimes && machine.Height is null ? new ScheduleJudge() : null;
         Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.ReportsHeights ? machine.Height?.PlungeMmPerMinute : null);
         Terms = new RequirementsJudge(posted.Terms);
@@ -54,6 +59,7 @@ internal sealed class ReadBackJudges
         {
             Entry = _posted.Start ?? (_job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null),
             Feeds = Feeds,
+            Strokes = _strokes,
             Blends = Blends,
             Requirements = Terms,
             Schedule = _pace,

@@ -69,9 +69,8 @@ public sealed class OperationRunTests : IDisposable
     }
 
     [Theory]
-    [InlineData("post", "OPR0017", 1, "--target", "gcode")]
     [InlineData("post", "OPR0017", 1, "--target", "agie")]
-    [InlineData("post", "OPR0017", 1, "--target", "hpgl")]
+    [InlineData("post", "OPR0037", 1, "--target", "hpgl")]
     [InlineData("plan", "--kerf cannot be used with --operations", 2, "--kerf", "outside", "--tool-diameter", "3")]
     [InlineData("plan", "--enter cannot be used with --operations", 2, "--enter", "0,0")]
     [InlineData("plan", "OPR0020", 1, "--tool-number", "1")]
@@ -113,6 +112,25 @@ public sealed class OperationRunTests : IDisposable
         var lines = await File.ReadAllLinesAsync(program);
         Assert.Equal((4, 4), (lines.Count(line => line.Contains(";zf=800;", StringComparison.Ordinal)), lines.Count(line => line == "WT 250;JS#UP")));
         Assert.Equal(lines.Count(line => line.Contains("JS#DOWN", StringComparison.Ordinal)) - 4, lines.Count(line => line.Contains(";zf=1600;", StringComparison.Ordinal)));
+    }
+
+    /// <summary>A program of each tool in a file of its own, of which the JSON states the names; nothing is written where one cannot be.</summary>
+    [Fact]
+    public async Task Post_writes_a_Galil_program_for_each_tool()
+    {
+        var operations = WithText("\"select\": { \"layers\": [\"HOLES\"] }, \"tool\": 3", "\"select\": { \"layers\": [\"HOLES\"] }, \"tool\": 1");
+        string[] post = ["post", .. s_job, "--operations", operations, "--target", "galil"];
+        var written = await CliRun.RunAsync([.. post, "-o", _folder.PathOf("p.dmc"), "--json"]);
+        var shown = JsonText.Of(await CliRun.RunAsync([.. post, "--json"])).GetProperty("programs").EnumerateArray().ToList();
+        var single = await CliRun.RunAsync(post);
+
+        Assert.True(written.ExitCode == ExitCode.Done, written.Error);
+        var programs = JsonText.Of(written).GetProperty("programs").EnumerateArray().ToList();
+        Assert.Equal([(3, "p-T3-1.dmc"), (1, "p-T1.dmc"), (3, "p-T3-3.dmc")], programs.Select(program => (program.GetProperty("tool").GetInt32(), Path.GetFileName(program.GetProperty("file").GetString())!)));
+        foreach (var (program, text) in programs.Zip(shown)) Assert.Equal(await File.ReadAllTextAsync(program.GetProperty("file").GetString()!), text.GetProperty("text").GetString());
+        Assert.False(File.Exists(_folder.PathOf("p.dmc")));
+        Assert.Equal(ExitCode.DrawingError, single.ExitCode);
+        Assert.Contains("OPR0012", single.Error, StringComparison.Ordinal);
     }
 
     /// <summary>Stopped in the marks, in a hole, in the pocket, and in the outline.</summary>

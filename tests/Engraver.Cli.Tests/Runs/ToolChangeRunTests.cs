@@ -111,7 +111,7 @@ public sealed class ToolChangeRunTests : IDisposable
     {
         var plan = JsonText.Of(await DoneAsync(["plan", .. _job, "--json"]));
         var one = JsonText.Of(await DoneAsync(["plan", .. _job, "--json", "--tool-number", "3"]));
-        var post = await CliRun.RunAsync(["post", .. _job, "--target", "galil", "-o", _folder.PathOf("a.dmc")]);
+        var post = await CliRun.RunAsync(["post", .. _job, "--target", "galil"]);
 
         var sections = plan.GetProperty("sections").EnumerateArray().ToList();
         Assert.Equal([(1, 2), (3, 4), (1, 2)], sections.Select(section => (section.GetProperty("tool").GetInt32(), section.GetProperty("strokes").GetInt32())));

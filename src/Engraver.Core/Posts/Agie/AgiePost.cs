@@ -33,6 +33,8 @@ public sealed class AgiePost : IPost
 
     public IReadOnlyList<PostOption> Options => [Style, StartMark];
 
+    public string? OperationsRefusal => Wording.Get("AgiePost.NoOperations");
+
     public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);

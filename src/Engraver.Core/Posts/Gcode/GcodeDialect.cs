@@ -8,13 +8,14 @@ namespace Engraver.Core.Posts.Gcode;
 /// <param name="HasPercent">The file begins and ends with %.</param>
 /// <param name="HasOutputs">M64 and M65 switch digital outputs.</param>
 /// <param name="HasBlending">G64 P rounds corners within a tolerance.</param>
-internal sealed record GcodeDialect(string Name, int Decimals, double LargestRadius, bool HasPercent, bool HasOutputs, bool HasBlending)
+/// <param name="HasToolChange">M6 changes the tool, and G43 takes its length from the tool table.</param>
+internal sealed record GcodeDialect(string Name, int Decimals, double LargestRadius, bool HasPercent, bool HasOutputs, bool HasBlending, bool HasToolChange)
 {
     /// <summary>Double precision throughout.</summary>
-    public static GcodeDialect LinuxCnc { get; } = new("linuxcnc", 6, 50_000.0, HasPercent: true, HasOutputs: true, HasBlending: true);
+    public static GcodeDialect LinuxCnc { get; } = new("linuxcnc", 6, 50_000.0, HasPercent: true, HasOutputs: true, HasBlending: true, HasToolChange: true);
 
     /// <summary>Single precision: 24 bits hold 1000 mm to 0.00006 mm, so four decimals are sufficient.</summary>
-    public static GcodeDialect Grbl { get; } = new("grbl", 4, 1_000.0, HasPercent: false, HasOutputs: false, HasBlending: false);
+    public static GcodeDialect Grbl { get; } = new("grbl", 4, 1_000.0, HasPercent: false, HasOutputs: false, HasBlending: false, HasToolChange: false);
 
     public static IReadOnlyList<GcodeDialect> All { get; } = [LinuxCnc, Grbl];
 

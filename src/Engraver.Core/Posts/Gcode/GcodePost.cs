@@ -21,12 +21,14 @@ public sealed class GcodePost : IPost
 
     public IReadOnlyList<PostOption> Options => GcodeChoice.Options;
 
+    public string? OperationsRefusal => null;
+
     public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
         if (request.Path.Strokes.Count == 0) return new PostOutput([], [DocumentRules.NothingToPost.At(default)]);
         var choice = GcodeChoice.Of(request);
-        IReadOnlyList<Diagnostic> faults = [.. Unfit(choice, request.Machine), .. Unwritable(request, new GcodeGrid(choice.Dialect.Decimals))];
+        IReadOnlyList<Diagnostic> faults = [.. Unfit(choice, request.Machine), .. OfOperations(choice, request), .. Unwritable(request, new GcodeGrid(choice.Dialect.Decimals))];
         if (faults.Any(fault => fault.Severity == Severity.Error)) return new PostOutput([], faults);
         return new PostOutput([new GcodeProgram(choice, request).Write()], faults);
     }
@@ -37,6 +39,20 @@ public sealed class GcodePost : IPost
         if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
         if (choice.Blend > 0.0 && !choice.Dialect.HasBlending) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, "--blend");
         if (machine.Height is null && machine.Spindle is not null && choice.Switch == GcodeChoice.BySpindle) yield return PostRules.ToolAndSpindle.At(default);
+    }
+
+    /// <summary>How the tool is changed, and the speeds that the program cannot set: with another switch of the tool than M3 and without a spindle in the
+    /// profile there is no S word.</summary>
+    private static IEnumerable<Diagnostic> OfOperations(GcodeChoice choice, PostRequest request)
+    {
+        if (request.Operations is not { } operations) yield break;
+        var changes = operations.Sections.Count - (choice.Dialect.HasToolChange ? 0 : 1);
+        if (operations.Sections.Count > 1) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
+        if (request.Machine is not { Height: null, Spindle: null } || choice.Switch == GcodeChoice.BySpindle) yield break;
+        foreach (var operation in operations.All)
+        {
+            if (operations.Plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
+        }
     }
 
     /// <summary>Positions beyond the range of a number in the format, and heights that the machine cannot cut; each entity once.</summary>

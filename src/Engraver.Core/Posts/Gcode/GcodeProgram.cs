@@ -3,6 +3,7 @@ using System.Text;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Operations;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
@@ -15,23 +16,37 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     /// <summary>Largest distance of chords from an arc that the controller cannot compute precisely, millimetres.</summary>
     private const double ChordError = 0.0005;
 
+    private const int LongestComment = 40;
+
     private readonly StringBuilder _text = new();
     private readonly GcodeGrid _grid = new(choice.Dialect.Decimals);
     private readonly MachineProfile _machine = request.Machine;
     private GridPlace _place;
     private long _z;
     private double _feed;
+    private double _cutFeed = request.Machine.FeedMmPerMinute;
+    private double _plunge = request.Machine.Height?.PlungeMmPerMinute ?? 0.0;
+    private double _speed = request.Operations?.SpindleOf(0) ?? choice.SpindleSpeed;
+    private Operation? _operation;
+
+    /// <summary>The program starts and stops a spindle: that of the profile, or that of operations which state its speed on a machine whose tool is not a
+    /// switch.</summary>
+    private bool HasSpindle => _machine.Spindle is not null || (_machine.Height is not null && request.Operations is { StateSpindle: true });
+
+    private bool ChangesTool => request.Operations is { Sections.Count: > 1 };
 
     public string Write()
     {
         Head();
-        foreach (var stroke in request.Path.Strokes)
+        for (var i = 0; i < request.Path.Strokes.Count; i++)
         {
+            var stroke = request.Path.Strokes[i];
+            Enter(stroke, i);
             if (_machine.Height is { } drive) foreach (var lift in CutHeights.PassHeights(stroke, drive)) CutWithAxis(stroke, drive, lift);
             else CutWithSwitch(stroke);
         }
 
-        if (_machine.Spindle is not null) Line("M5");
+        if (HasSpindle) Line("M5");
         Line(choice.End.ToUpperInvariant());
         if (choice.Dialect.HasPercent) Line("%");
         return _text.ToString();
@@ -44,18 +59,73 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Line("G21 G17 G90 G91.1");
         Line("G94 G40 G49 G80");
         Line($"{choice.WorkOffset} {(choice.Blend > 0.0 ? $"G64 P{NumberText.Rounded(choice.Blend, 4)}" : "G61")}");
+        if (_machine.Height is null) ToolOff();
+        if (ChangesTool && choice.Dialect.HasToolChange) Load(request.Operations!.Sections[0].Tool);
+        else if (request.Operations is { } operations) Comment(operations.Sections[0].Tool);
         if (_machine.Height is { } drive) Rise(drive);
-        else ToolOff();
-        if (_machine.Spindle is not { } spindle) return;
-        Line($"M3 S{NumberText.Rounded(choice.SpindleSpeed, 4)}");
-        Dwell(spindle.SpinUpSeconds);
+        Turn();
+    }
+
+    /// <summary>Spindle on at the present speed, and the time that it needs for it.</summary>
+    private void Turn()
+    {
+        if (!HasSpindle) return;
+        Line($"M3 S{NumberText.Rounded(_speed, 4)}");
+        Dwell(_machine.Spindle?.SpinUpSeconds ?? 0.0);
+    }
+
+    /// <summary>Another tool where a section begins, and the speeds of the stroke.</summary>
+    private void Enter(ToolpathStroke stroke, int index)
+    {
+        (_cutFeed, _plunge) = (stroke.FeedMmPerMinute ?? _machine.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? _plunge);
+        if (request.Operations is not { } operations) return;
+        var (operation, before) = (operations.OperationOf(index), _speed);
+        _speed = operations.SpindleOf(index) ?? choice.SpindleSpeed;
+        if (index > 0 && operations.Sections.FirstOrDefault(section => section.FirstStroke == index) is { } section) Change(section.Tool);
+        else if (_speed != before) Turn();
+        if (operation != _operation) Line($"({Plain(operation.Title)})");
+        _operation = operation;
+    }
+
+    /// <summary>With the tool up and off. The tip of the new tool is at another height, so the next move is up.</summary>
+    private void Change(CuttingTool tool)
+    {
+        if (HasSpindle) Line("M5");
+        if (choice.Dialect.HasToolChange)
+        {
+            Load(tool);
+        }
+        else
+        {
+            Comment(tool);
+            Line("M0");
+        }
+
+        if (_machine.Height is { } drive) Rise(drive);
+        Turn();
+    }
+
+    private void Load(CuttingTool tool)
+    {
+        Comment(tool);
+        Line($"T{tool.Number.ToString(CultureInfo.InvariantCulture)} M6");
+        if (_machine.Height is not null) Line("G43");
+    }
+
+    private void Comment(CuttingTool tool) => Line($"({Plain($"T{tool.Number.ToString(CultureInfo.InvariantCulture)} {tool.Name}".TrimEnd())})");
+
+    /// <summary>A name as a comment of every controller: ASCII without brackets and commas. LinuxCNC shows what follows MSG and a comma.</summary>
+    private static string Plain(string name)
+    {
+        var plain = string.Concat(name.Select(sign => char.IsAsciiLetterOrDigit(sign) || sign is ' ' or '-' or '.' or '/' ? sign : '_'));
+        return plain.Length <= LongestComment ? plain : plain[..LongestComment];
     }
 
     private void CutWithSwitch(ToolpathStroke stroke)
     {
         Rapid(stroke.Start);
         ToolOn();
-        Dwell(_machine.ToolSettleSeconds);
+        Dwell(_machine.ToolSettleSeconds + stroke.PierceSeconds);
         foreach (var move in stroke.Moves) Cut(move with { StartZ = 0.0, EndZ = 0.0 }, 0.0);
         ToolOff();
         Dwell(_machine.OffSettleSeconds);
@@ -66,16 +136,18 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         var above = lift - drive.CutDepth;
         Rapid(stroke.Start);
         Line($"G0 Z{_grid.Text(_z = _grid.Of(drive.RetractHeight))}");
-        Plunge(_grid.Of(stroke.Moves[0].StartZ + above), drive);
+        Plunge(_grid.Of(stroke.Moves[0].StartZ + above));
+        Dwell(stroke.PierceSeconds);
         foreach (var move in stroke.Moves) Cut(move, above);
+        Dwell(stroke.DwellSeconds);
         Rise(drive);
     }
 
     private void Rise(HeightDrive drive) => Line($"G0 Z{_grid.Text(_z = _grid.Of(drive.ClearanceHeight))}");
 
-    private void Plunge(long z, HeightDrive drive)
+    private void Plunge(long z)
     {
-        if (z != _z) Line($"G1 Z{_grid.Text(_z = z)}{Feed(drive.PlungeMmPerMinute)}");
+        if (z != _z) Line($"G1 Z{_grid.Text(_z = z)}{Feed(_plunge)}");
     }
 
     private void Rapid(Point2D to)
@@ -100,8 +172,8 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         if (to == _place && z == _z) return;
         var (from, start) = (_grid.Millimetres(_place), _z * _grid.Unit);
         (_place, var fall) = (to, start - (z * _grid.Unit));
-        var speed = _machine.FeedMmPerMinute;
-        if (_machine.Height is { } drive && fall > 0.0) speed = Math.Min(speed, drive.PlungeMmPerMinute * double.Hypot(from.DistanceTo(_grid.Millimetres(to)), fall) / fall);
+        var speed = _cutFeed;
+        if (_machine.Height is not null && fall > 0.0) speed = Math.Min(speed, _plunge * double.Hypot(from.DistanceTo(_grid.Millimetres(to)), fall) / fall);
         var height = z == _z ? "" : $" Z{_grid.Text(_z = z)}";
         Line($"G1 X{_grid.Text(to.X)} Y{_grid.Text(to.Y)}{height}{Feed(speed)}");
     }
@@ -124,7 +196,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         var (i, j) = (centre.X - _place.X, centre.Y - _place.Y);
         if ((end == _place && Math.Abs(arc.Sweep.Degrees) < 180.0) || (i == 0 && j == 0)) return; // smaller than a unit
         _place = end;
-        Line($"{(arc.Sweep.Degrees < 0.0 ? "G2" : "G3")} X{_grid.Text(end.X)} Y{_grid.Text(end.Y)} I{_grid.Text(i)} J{_grid.Text(j)}{Feed(_machine.FeedMmPerMinute)}");
+        Line($"{(arc.Sweep.Degrees < 0.0 ? "G2" : "G3")} X{_grid.Text(end.X)} Y{_grid.Text(end.Y)} I{_grid.Text(i)} J{_grid.Text(j)}{Feed(_cutFeed)}");
     }
 
     private string Feed(double mmPerMinute)
@@ -136,7 +208,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
 
     private void ToolOn() => Line(choice.Switch switch
     {
-        GcodeChoice.BySpindle => $"M3 S{NumberText.Rounded(choice.SpindleSpeed, 4)}",
+        GcodeChoice.BySpindle => $"M3 S{NumberText.Rounded(_speed, 4)}",
         GcodeChoice.ByCoolant => "M8",
         _ => OutputLine(!_machine.ToolActiveLow),
     });

@@ -6,7 +6,14 @@ namespace Engraver.Core.Posts.GcodeReading;
 /// positions that the program does not state (probes, stored places, offsets, canned cycles, cutter compensation, other planes) are not among them.</summary>
 internal static class GcodeCodes
 {
+    /// <summary>M0: the program stops until the operator continues it.</summary>
+    public const int Stop = 0;
+
+    /// <summary>M6.</summary>
+    public const int ToolChange = 60;
+
     public const int Dwell = 40;
+    public const int ToolLength = 430;
     public const int Inch = 200;
     public const int Millimetre = 210;
     public const int ExactPath = 610;
@@ -20,9 +27,9 @@ internal static class GcodeCodes
     public const int IncrementalCentre = 911;
 
     private static readonly int[][] s_both = [[0, 10, 20, 30, NoMotion], [Dwell], [170], [Inch, Millimetre], [400], [490], [540, 550, 560, 570, 580, 590], [610], [Absolute, Incremental], [IncrementalCentre], [940]];
-    private static readonly int[][] s_linuxCnc = [[0, 10, 20, 30, NoMotion], [Dwell], [170], [Inch, Millimetre], [400], [490], [540, 550, 560, 570, 580, 590, 591, 592, 593], [610, 611, Blending], [Absolute, Incremental], [AbsoluteCentre, IncrementalCentre], [940], [980, 990]];
+    private static readonly int[][] s_linuxCnc = [[0, 10, 20, 30, NoMotion], [Dwell], [170], [Inch, Millimetre], [400], [ToolLength, 490], [540, 550, 560, 570, 580, 590, 591, 592, 593], [610, 611, Blending], [Absolute, Incremental], [AbsoluteCentre, IncrementalCentre], [940], [980, 990]];
     private static readonly int[][] s_grblMachine = [[0, 10, 20, 300], [30, 40, 50], [70, 80, 90]];
-    private static readonly int[][] s_linuxCncMachine = [[0, 10, 20, 300], [30, 40, 50], [70, 80, 90], [480, 490], [620, 630, 640, 650]];
+    private static readonly int[][] s_linuxCncMachine = [[0, 10, 20, 300], [ToolChange], [30, 40, 50], [70, 80, 90], [480, 490], [620, 630, 640, 650]];
 
     /// <summary>The group of a code of the letter G or M, from 0; -1 for an unknown code.</summary>
     public static int GroupOf(char letter, int code, GcodeController controller)

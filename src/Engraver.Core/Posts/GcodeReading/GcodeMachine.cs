@@ -11,7 +11,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private readonly GcodeTracer _tracer = new(request);
     private readonly MachineProfile _profile = request.Machine;
-    private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements);
+    private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements, request.Strokes);
     private Vector3D _place = StartOf(request);
     private bool _knowsX;
     private bool _knowsY;
@@ -23,6 +23,11 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private int? _workOffset;
     private GcodeBlend _blend = controller == GcodeController.Grbl ? GcodeBlend.Exact : GcodeBlend.Unbounded;
     private double _feed;
+    private bool _hasTool;
+    private bool _needsLength;
+
+    /// <summary>The tool has just come to the work: an operation may require a wait.</summary>
+    private bool _hasArrived;
 
     public bool HasMoved => _tracer.HasMoved;
 
@@ -34,6 +39,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     public string? Execute(GcodeBlock block, int line)
     {
         if (block['F'] is { } feed) _feed = feed * _unit;
+        if (Change(block) is { } unchanged) return unchanged;
         Switch(block, line);
         foreach (var code in block.Codes('G')) if (Mode(code) is { } fault) return fault;
         Control(block);
@@ -45,11 +51,26 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private static Vector3D StartOf(ReplayRequest request) => request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y) is var start ? new Vector3D(start.X, start.Y, 0.0) : default;
 
+    /// <summary>A change of the tool by M6 or at a stop: its tip is then at another height, as after G43, which takes its length from the tool table.</summary>
+    /// <returns>Why the tool cannot be changed here; null otherwise.</returns>
+    private string? Change(GcodeBlock block)
+    {
+        var (isStop, loads) = (block.Codes('M').Contains(GcodeCodes.Stop) && request.Strokes is { Tools.Count: > 1 }, block.Codes('M').Contains(GcodeCodes.ToolChange));
+        _hasTool |= loads;
+        _needsLength = (_needsLength || (loads && _profile.Height is not null)) && !block.Codes('G').Contains(GcodeCodes.ToolLength);
+        if (block.Codes('G').Contains(GcodeCodes.ToolLength) && !_hasTool) return Wording.Get("GcodeReader.LengthWithoutTool");
+        if (!isStop && !loads && !block.Codes('G').Contains(GcodeCodes.ToolLength)) return null;
+        if ((_profile.Height is { } drive ? _knowsZ && _place.Z < drive.RetractHeight : _switches.IsOn) || (isStop && _switches.Turns)) return Wording.Get("GcodeReader.ToolChangeInWork");
+        _knowsZ = _profile.Height is null;
+        return null;
+    }
+
     private void Switch(GcodeBlock block, int line)
     {
         var was = _switches.IsOn;
         _switches.Execute(block, line);
         if (block.Codes('G').Contains(GcodeCodes.Dwell)) _switches.Wait(block['P'] ?? 0.0, line);
+        _hasArrived |= _profile.Height is null && _switches.IsOn && !was;
         if (_switches.IsOn != was) _tracer.Switch(_place, _switches.IsOn);
     }
 
@@ -81,7 +102,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
         if (_motion != 0 && !(_feed > 0.0)) return Wording.Get("GcodeReader.NoFeed");
-        if (_motion != 0 && _profile.Spindle is not null && !_switches.Turns) return Wording.Get("GcodeReader.SpindleOff");
+        if (_motion != 0 && _switches.HasSpindle && !_switches.Turns) return Wording.Get("GcodeReader.SpindleOff");
         if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.PositionUnknown");
         var to = new Vector3D(Coordinate(block['X'], _place.X), Coordinate(block['Y'], _place.Y), Coordinate(block['Z'], _place.Z));
         if (_profile.Height is null && to.Z != 0.0) return Wording.Get("GcodeReader.NoToolAxis");
@@ -99,13 +120,24 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     /// <summary>Conditions of a motion: the frame of its position, completed waits, the tool's speed; with the tool off it is a rapid.</summary>
     private void Judge(Vector3D to, int line)
     {
-        _switches.EndWait();
+        _switches.EndWait(WaitsBefore(to));
+        _hasArrived = _profile.Height is { } axis && to.X == _place.X && to.Y == _place.Y && _place.Z >= axis.RetractHeight && to.Z < axis.RetractHeight;
         if (request.Requirements is not { } terms) return;
         var offset = GcodeCodes.WorkOffsetText(_workOffset ?? GcodeCodes.UsualWorkOffset);
         if (offset != terms.Required.WorkOffset) terms.AddDifference(line, offset, terms.Required.WorkOffset);
+        if (_needsLength) terms.AddDifference(line, "G49", "G43");
         if (_motion == 0) return;
         if (_profile.Height is { } drive ? to.X == _place.X && to.Y == _place.Y && to.Z == drive.ClearanceHeight : !_switches.IsOn) terms.AddDifference(line, $"G{_motion / 10}", "G0");
-        else _switches.Cut(line);
+        else _switches.Cut(line, request.Strokes?.Passing(new Point2D(to.X, to.Y), _profile.Height is null ? null : to.Z));
+    }
+
+    /// <summary>The waits of operations before a motion: between the arrival of the tool at the work and the first move, and before the tool is taken
+    /// away.</summary>
+    private IReadOnlyList<double>? WaitsBefore(Vector3D to)
+    {
+        if (request.Strokes is not { } strokes) return null;
+        if (_hasArrived) return strokes.WaitsAtStart(_place);
+        return _profile.Height is { } drive && _place.Z < drive.RetractHeight && to.Z >= drive.RetractHeight ? strokes.WaitsAtEnd(_place) : null;
     }
 
     private string? Turn(GcodeBlock block, Vector3D to, int line)

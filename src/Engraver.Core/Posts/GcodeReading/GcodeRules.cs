@@ -34,7 +34,7 @@ internal static class GcodeRules
     {
         var codes = block.Codes('G').ToList();
         var (dwells, switches, blends, isArc) = (codes.Contains(GcodeCodes.Dwell), block.Codes('M').Any(code => code is >= 620 and <= 650), codes.Contains(GcodeCodes.Blending), !block.Codes('G').Any(code => code is 0 or 10 or GcodeCodes.NoMotion));
-        if (block.Has("T")) return Wording.Get("GcodeReader.WordNotSupported", "T");
+        if (block['T'] is { } tool && (isGrbl || !(tool >= 0.0 && tool == Math.Floor(tool)))) return Wording.Get("GcodeReader.WordNotSupported", "T");
         if (block.Has("K")) return Wording.Get("GcodeReader.PlaneNotSupported");
         if (block.Has("IJR") && !isArc) return Wording.Get("GcodeReader.ArcWordsWithoutArc");
         foreach (var letter in "FS") if (block[letter] is < 0.0) return Wording.Get("GcodeReader.Negative", letter);

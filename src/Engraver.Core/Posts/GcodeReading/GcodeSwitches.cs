@@ -5,7 +5,8 @@ namespace Engraver.Core.Posts.GcodeReading;
 
 /// <summary>The switching of the program in addition to the path (spindle, coolant, outputs) and its waits after a switch; compared with the job and the
 /// profile if requested.</summary>
-internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? terms)
+/// <param name="strokes">What operations require; null without them.</param>
+internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? terms, StrokeRequirements? strokes)
 {
     /// <summary>Times and speeds are written with four decimals.</summary>
     private const double Decimals = 0.0001;
@@ -18,6 +19,9 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     private const int OutputOff = 650;
 
     private readonly bool _isSwitched = profile.Height is null;
+    private int _loaded;
+    private int _changes;
+    private double? _selected;
     private int? _turning;
     private double? _speed;
     private bool _coolant;
@@ -27,8 +31,14 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
 
     public bool IsOutputOn { get; private set; }
 
+    /// <summary>The program has a spindle, which is not the tool.</summary>
+    public bool HasSpindle { get; } = profile.Spindle is not null || (profile.Height is not null && strokes is { StateSpindle: true });
+
+    /// <summary>Number of the tool in the machine; 0 before the first change.</summary>
+    private int Tool => _loaded != 0 ? _loaded : strokes?.Tools[0] ?? 0;
+
     /// <summary>The tool is on, as far as a switch controls it.</summary>
-    public bool IsOn => (profile.Spindle is null && Turns) || _coolant || IsOutputOn;
+    public bool IsOn => (!HasSpindle && Turns) || _coolant || IsOutputOn;
 
     /// <summary>Switched on, at a speed (for a laser: a power) that is not set to 0.</summary>
     public bool Turns => _turning is not null && _speed != 0.0;
@@ -36,17 +46,29 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     /// <summary>The codes of a line, in their order.</summary>
     public void Execute(GcodeBlock block, int line)
     {
-        _speed = block['S'] ?? _speed;
+        var before = _speed;
+        (_speed, _selected) = (block['S'] ?? _speed, block['T'] ?? _selected);
         foreach (var code in block.Codes('M'))
         {
             var (wasOn, turned) = (IsOn, Turns);
             if (code is Clockwise or 40 or SpindleOff) _turning = code == SpindleOff ? null : code;
             else if (code is 70 or CoolantOn or CoolantOff) _coolant = code != CoolantOff;
             else if (code is >= 620 and <= OutputOff && block['P'] == profile.ToolOutput - 1) IsOutputOn = (code is 620 or OutputOn) != profile.ToolActiveLow;
+            else if (code is GcodeCodes.ToolChange || (code == GcodeCodes.Stop && strokes is { Tools.Count: > 1 })) Change(code, line);
             if (RequiredInstead(code, block['P']) is { } expected) terms?.AddDifference(line, Spelled(code, block['P']), expected);
             if (_isSwitched && IsOn != wasOn) Await(IsOn ? profile.ToolSettleSeconds : profile.OffSettleSeconds, line);
-            else if (profile.Spindle is { } spindle && Turns && !turned) Await(spindle.SpinUpSeconds, line);
+            else if (HasSpindle && Turns && (!turned || _speed != before)) Await(profile.Spindle?.SpinUpSeconds ?? 0.0, line);
         }
+    }
+
+    /// <summary>M6 loads the selected tool and stops the spindle; at a stop the operator changes it for the next one of the job.</summary>
+    private void Change(int code, int line)
+    {
+        var next = strokes is { } required && _changes + (code == GcodeCodes.Stop ? 1 : 0) is var index && index < required.Tools.Count ? required.Tools[index] : 0;
+        _changes++;
+        _loaded = code == GcodeCodes.Stop ? next : (int)(_selected ?? 0.0);
+        if (code == GcodeCodes.ToolChange) _turning = null;
+        if (_loaded != next || next == 0) terms?.AddDifference(line, code == GcodeCodes.Stop ? "M0" : $"T{NumberText.Whole(_loaded)} M6", next == 0 ? Wording.Get("GcodeReader.NoCode") : $"T{NumberText.Whole(next)} M6");
     }
 
     /// <summary>G4.</summary>
@@ -56,18 +78,27 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         _waited += seconds;
     }
 
-    /// <summary>Called when an axis moves or the program ends: before this, the program must have waited for the last switch, and for nothing else.</summary>
-    public void EndWait()
+    /// <summary>Called when an axis moves or the program ends: before this, the program must have waited for the last switch, as long as an operation requires
+    /// at this place, and for nothing else.</summary>
+    /// <param name="more">What operations require, each possible; null for none.</param>
+    public void EndWait(IReadOnlyList<double>? more = null)
     {
+        if (more is { Count: > 0 } && !more.Any(wait => Math.Abs(_waited - _due - wait) <= Decimals)) _due += more[0];
+        else if (more is { Count: > 0 }) _due = _waited;
         if (Math.Abs(_waited - _due) > Decimals) terms?.AddDifference(_line, $"G4 P{NumberText.Rounded(_waited, 4)}", $"G4 P{NumberText.Rounded(_due, 4)}");
         (_waited, _due) = (0.0, 0.0);
     }
 
     /// <summary>Called for a cut: checks that the spindle or laser runs at the requested speed.</summary>
-    public void Cut(int line)
+    /// <param name="passing">The strokes that may be cut; null or empty: unknown.</param>
+    public void Cut(int line, IReadOnlyList<StrokeRequirement>? passing)
     {
-        if (terms is null || !(profile.Spindle is not null || (_isSwitched && IsRequired("m3")))) return;
-        if (!(Math.Abs((_speed ?? double.NaN) - terms.Required.SpindleSpeed) <= Decimals)) terms.AddDifference(line, _speed is { } speed ? $"S{NumberText.Rounded(speed, 4)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{NumberText.Rounded(terms.Required.SpindleSpeed, 4)}");
+        if (terms is null) return;
+        var usual = terms.Required.SpindleSpeed;
+        if (passing is { Count: > 0 } && strokes is { Tools.Count: > 1 } && !passing.Any(stroke => stroke.Tool == Tool)) terms.AddDifference(line, $"T{NumberText.Whole(Tool)}", $"T{NumberText.Whole(passing[0].Tool)}");
+        if (!(HasSpindle || (_isSwitched && IsRequired("m3")))) return;
+        List<double> allowed = passing is { Count: > 0 } ? [.. passing.Select(stroke => stroke.Spindle ?? usual)] : strokes is null ? [usual] : [];
+        if (allowed.Count > 0 && !allowed.Exists(speed => Math.Abs((_speed ?? double.NaN) - speed) <= Decimals)) terms.AddDifference(line, _speed is { } actual ? $"S{NumberText.Rounded(actual, 4)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{NumberText.Rounded(allowed[0], 4)}");
     }
 
     private void Await(double seconds, int line)
@@ -85,13 +116,14 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         var isAsked = code switch
         {
             20 or 300 or 480 or SpindleOff or CoolantOff => true,
-            Clockwise => profile.Spindle is not null || (_isSwitched && IsRequired("m3")),
+            GcodeCodes.ToolChange or GcodeCodes.Stop => strokes is { Tools.Count: > 1 }, // the tool itself is compared where it is changed
+            Clockwise => HasSpindle || (_isSwitched && IsRequired("m3")),
             CoolantOn => _isSwitched && IsRequired("m8"),
             OutputOn or OutputOff => _isSwitched && IsRequired("m64") && output == profile.ToolOutput - 1,
             _ => false,
         };
         if (isAsked) return null;
-        if (profile.Spindle is not null && code is 40) return "M3";
+        if (HasSpindle && code is 40) return "M3";
         if (!_isSwitched) return Wording.Get("GcodeReader.NoCode");
         return terms.Required.ToolSwitch switch { "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
     }

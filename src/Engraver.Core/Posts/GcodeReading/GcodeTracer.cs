@@ -79,14 +79,14 @@ internal sealed class GcodeTracer(ReplayRequest request)
         if (!isCut) return;
         request.Blends?.Add(motion.Line, motion.Blend.Largest);
         request.Feeds?.Reach(Math.Min(from.Z, to.Z));
-        if (!double.IsInfinity(motion.Feed) || from.X != to.X || from.Y != to.Y || to.Z < from.Z) request.Feeds?.Add(motion.Line, motion.Feed, length, from.Z - to.Z);
+        if (!double.IsInfinity(motion.Feed) || from.X != to.X || from.Y != to.Y || to.Z < from.Z) request.Feeds?.Add(motion.Line, motion.Feed, length, from.Z - to.Z, strokes: request.Strokes?.Passing(new Point2D(to.X, to.Y), to.Z));
     }
 
     private void Cut(in Segment path, GcodeMotion motion)
     {
         foreach (var judge in request.Judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
         _seconds += 1.0;
-        request.Feeds?.Add(motion.Line, motion.Feed, path.Length);
+        request.Feeds?.Add(motion.Line, motion.Feed, path.Length, strokes: request.Strokes?.Passing(path.End, null));
         request.Blends?.Add(motion.Line, motion.Blend.Largest);
     }
 

@@ -25,10 +25,13 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
 
     public Point2D ErrorAt { get; private set; }
 
-    public string Write(Toolpath path, int pen, double feedMmPerMinute)
+    /// <param name="penOf">The pen of a stroke, by its index.</param>
+    /// <param name="feedMmPerMinute">Of strokes that state none.</param>
+    public string Write(Toolpath path, Func<int, int> penOf, double feedMmPerMinute)
     {
         ErrorAt = path.Strokes[0].Start;
         Line("IN");
+        var (pen, feed) = (penOf(0), path.Strokes[0].FeedMmPerMinute ?? feedMmPerMinute);
         Append($"SP{pen}");
         if (sheet.PerMillimetre != HpglSheet.PlotterUnits)
         {
@@ -36,8 +39,15 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
             Append($"SC0,{100 * sheet.PerMillimetre},0,{100 * sheet.PerMillimetre}");
         }
 
-        Append($"VS{NumberText.Rounded(feedMmPerMinute / 600.0, 4)}"); // cm/s
-        foreach (var stroke in path.Strokes) Stroke(stroke);
+        Append($"VS{NumberText.Rounded(feed / 600.0, 4)}"); // cm/s
+        for (var i = 0; i < path.Strokes.Count; i++)
+        {
+            var own = path.Strokes[i].FeedMmPerMinute ?? feedMmPerMinute;
+            if (penOf(i) != pen) Append($"SP{pen = penOf(i)}");
+            if (own != feed) Append($"VS{NumberText.Rounded((feed = own) / 600.0, 4)}");
+            Stroke(path.Strokes[i]);
+        }
+
         Line("SP0");
         return _text.ToString();
     }

@@ -61,7 +61,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     private string? Speed(IReadOnlyList<double> values)
     {
         if (!(values[0] > 0.0)) return Wording.Get("HpglReader.SpeedNotPositive", values[0]);
-        if (values.Count == 1 || values[1] == (request.Requirements?.Required.Pen ?? _pen)) _speed = values[0] * 600.0;
+        if (values.Count == 1 || values[1] == (request.Strokes is null ? request.Requirements?.Required.Pen ?? _pen : _pen)) _speed = values[0] * 600.0;
         return null;
     }
 
@@ -136,15 +136,17 @@ internal sealed class HpglPlotter(ReplayRequest request)
     {
         foreach (var judge in request.Judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
         _seconds += 1.0;
-        Judge(line);
-        if (_speed is { } speed) request.Feeds?.Add(line, speed, path.Length, quantum: SpeedQuantum);
+        var strokes = request.Strokes?.Passing(path.End, null);
+        Judge(line, strokes);
+        if (_speed is { } speed) request.Feeds?.Add(line, speed, path.Length, quantum: SpeedQuantum, strokes: strokes);
     }
 
     /// <summary>Checks for the requested pen and for a stated speed: the default speed of a plotter can be any.</summary>
-    private void Judge(int line)
+    /// <param name="strokes">The strokes that may be drawn, each by the pen of its tool; null or empty: unknown.</param>
+    private void Judge(int line, IReadOnlyList<StrokeRequirement>? strokes)
     {
         if (request.Requirements is not { } terms) return;
-        if (_pen != terms.Required.Pen) terms.AddDifference(line, $"SP{_pen}", $"SP{terms.Required.Pen}");
+        if (strokes is { Count: > 0 } ? !strokes.Any(stroke => stroke.Tool == _pen) : request.Strokes is null && _pen != terms.Required.Pen) terms.AddDifference(line, $"SP{_pen}", $"SP{strokes?[0].Tool ?? terms.Required.Pen}");
         if (_speed is null) terms.AddDifference(line, Wording.Get("HpglReader.NoSpeed"), "VS");
     }
 

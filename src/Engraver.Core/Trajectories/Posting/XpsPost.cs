@@ -26,6 +26,8 @@ public sealed class XpsPost(TrajectoryFormat format, string name, string ending)
 
     public IReadOnlyList<PostOption> Options => [];
 
+    public string? OperationsRefusal => Wording.Get("XpsPost.NoOperations");
+
     public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);

@@ -47,6 +47,8 @@ public sealed class GalilPost : IPost
 
     public MotionStyle? Motion => _style;
 
+    public string? OperationsRefusal => null;
+
     public IReadOnlyList<PostOption> Options => [Memory, Unattended, Origin];
 
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>

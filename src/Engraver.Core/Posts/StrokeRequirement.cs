@@ -1,0 +1,10 @@
+namespace Engraver.Core.Posts;
+
+/// <summary>What the operation of a stroke requires of a program.</summary>
+/// <param name="Feed">Along the path, mm/min.</param>
+/// <param name="Plunge">Straight down, mm/min; null without a tool axis.</param>
+/// <param name="Spindle">Turns per minute; null: that of the post.</param>
+/// <param name="Tool">Number of the tool.</param>
+/// <param name="PierceSeconds">Wait before the first move.</param>
+/// <param name="DwellSeconds">Wait after the last move.</param>
+public sealed record StrokeRequirement(double Feed, double? Plunge, double? Spindle, int Tool, double PierceSeconds, double DwellSeconds);
