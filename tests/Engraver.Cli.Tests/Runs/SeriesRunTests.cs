@@ -236,14 +236,15 @@ public sealed class SeriesRunTests : IDisposable
     }
 
     [Fact]
-    public async Task A_plate_that_cannot_start_is_not_placed_on_those_before_it()
+    public async Task A_plate_that_cannot_start_prevents_those_before_it()
     {
         var machine = _folder.WithFile("small.json", """{"travelX": {"min": 0, "max": 100}, "travelY": {"min": 0, "max": 100}}""");
         var run = await CliRun.RunAsync([.. Series("beyond"), "--grid", "3x1", "--pitch", "70,0", "--machine", machine]);
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
-        Assert.Equal(["complete", "refused"], Plates(run).Select(plate => plate.GetProperty("outcome").GetString()));
-        Assert.Contains("--rows 2,3,4,5 --first-cell 2.", run.Error, StringComparison.Ordinal);
+        Assert.Equal(["refused"], Plates(run).Select(plate => plate.GetProperty("outcome").GetString()));
+        Assert.Contains("JOB0030", run.Error, StringComparison.Ordinal);
+        Assert.Contains("--rows 1,2,3,4,5 --first-cell 1.", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -16,7 +16,7 @@ public class EveryStrategyTests
 
     /// <summary>In this order the longest jobs of the fast subset use the cheapest link, and short ones over the serial line, which transfers single bytes; the
     /// console's <c>NetworkRunTests</c> cover streaming over TCP.</summary>
-    private static readonly string[] s_samples = ["clock-dial.dxf", "pcb-outline.dxf", "nameplate.dxf", "paper-001.dxf", "gasket.dxf", "nested-logo.dxf", "label-plate.dxf", "operation-plate.dxf"];
+    private static readonly string[] s_samples = ["clock-dial.dxf", "pcb-outline.dxf", "nameplate.dxf", "paper-001.dxf", "gasket.dxf", "nested-logo.dxf", "label-plate.dxf", "operation-plate.dxf", "finished-plate.dxf"];
 
     /// <summary>Ten drawings by nine programs: arcs, ellipses, splines, bulges, old polylines; inches, no unit; blocks nested, in arrays, turned and
     /// mirrored; binary; versions from R10 to 2013; in such an order too.</summary>

@@ -46,8 +46,7 @@ public sealed class OperationInterruptionTests : IDisposable
     }
 
     [Theory]
-    [InlineData("lead")]
-    [InlineData("peck")]
+    [MemberData(nameof(Places))]
     public async Task A_job_that_was_stopped_there_is_resumed_on_the_path(string place)
     {
         using var stop = new CancellationTokenSource();
