@@ -170,7 +170,7 @@ internal sealed class RunVerb
                 code = Math.Max(code, errors);
                 if (machine == ExitCode.Done && !_isAtToolChange) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
-                return machine;
+                return machine == ExitCode.Done ? code : machine; // accepted errors count also at a change of the tool
             }
 
             return code;

@@ -60,6 +60,8 @@ public static class OperationRules
 
     public static readonly DiagnosticRule LeftOut = new("OPR0038", Severity.Warning, "target", "field", "operation");
 
+    public static readonly DiagnosticRule PassNotCut = new("OPR0039", Severity.Error, "operation", "count");
+
     public static readonly DiagnosticRule LinetypeUnknown = new("OPR0040", Severity.Error, "operation", "linetype", "nearest");
 
     public static readonly DiagnosticRule BlockUnknown = new("OPR0041", Severity.Error, "operation", "block", "nearest");
@@ -91,7 +93,7 @@ public static class OperationRules
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
-        NotInFormat, LeftOut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
+        NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
     ];
 }

@@ -68,6 +68,12 @@ public sealed record Drawing(
     /// <summary>The map by which <see cref="Placement"/> placed it, drawing units.</summary>
     public Transform2D PlacementMap { get; init; } = Transform2D.Identity;
 
+    /// <summary>Where a place of the file is on the placed drawing; millimetres.</summary>
+    public Point2D Placed(Point2D place) => PlacementMap == Transform2D.Identity ? place : Scale.ToMillimetres(PlacementMap.Apply(Scale.ToDrawing(place)));
+
+    /// <summary>The place in the file of a place of the placed drawing; millimetres.</summary>
+    public Point2D Unplaced(Point2D place) => PlacementMap == Transform2D.Identity ? place : Scale.ToMillimetres(PlacementMap.Inverse().Apply(Scale.ToDrawing(place)));
+
     /// <summary>Construction whose outlines were read as areas for operations; it is not cut otherwise.</summary>
     public CutChoice Areas { get; init; }
 

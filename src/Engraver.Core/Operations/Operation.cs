@@ -123,6 +123,9 @@ public sealed record Operation
     /// <summary>Bridges that hold the part; null for none.</summary>
     public PartTabs? Tabs { get; init; }
 
+    /// <summary>The operation with its picked places on a drawing that is placed.</summary>
+    internal Operation Placed(Func<Point2D, Point2D> map) => this with { StartAt = [.. StartAt.Select(map)], Tabs = Tabs is { } tabs ? tabs with { At = [.. tabs.At.Select(map)] } : null };
+
     /// <summary>The kind as files write it.</summary>
     public string KindWord => OperationFields.WordOf(Kind);
 

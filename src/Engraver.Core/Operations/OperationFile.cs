@@ -260,6 +260,7 @@ public static class OperationFile
 
         if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
         if (operation is { Tabs.Height: { } height, Depth: { } bottom } && height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
+        if (operation is { Kind: OperationKind.Pocket, IsZigzag: false, AngleDegrees: not 0.0 }) of.Invalid(of.PathOf("angle"), FactText.Of(operation.AngleDegrees), Wording.Get("OperationFile.OnlyFor", "zigzag"));
         foreach (var field in ((string[])["angle", "cross"]).Where(field => operation is { Kind: OperationKind.Fill, Pattern: FillPattern.Contour } && of.Has(field)))
         {
             of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
@@ -278,7 +279,7 @@ public static class OperationFile
 
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
-        ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
+        ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
         ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];

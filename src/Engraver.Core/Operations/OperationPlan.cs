@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Operations;
@@ -57,6 +58,13 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     {
         ArgumentNullException.ThrowIfNull(written);
         return Operations.All(operation => operation.Select.Handles.Count == 0) ? this : new OperationPlan([.. Operations.Select(operation => operation with { Select = operation.Select.WithHandles(written) })], Tools);
+    }
+
+    /// <summary>The plan with its picked places, which are on the drawing of the file, on the placed drawing.</summary>
+    public OperationPlan PlacedOn(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        return drawing.PlacementMap == Transform2D.Identity ? this : new OperationPlan([.. Operations.Select(operation => operation.Placed(drawing.Placed))], Tools);
     }
 
     public bool Equals(OperationPlan? other) => other is not null && other._text == _text;

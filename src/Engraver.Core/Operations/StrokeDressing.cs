@@ -30,7 +30,7 @@ internal sealed class StrokeDressing
         (_ordered, _parts, _maxErrorMm, _radius) = (ordered, parts, maxErrorMm, (ordered.Shape.Part.Tool.Diameter / 2.0) + ordered.Shape.Operation.Stock);
         _lead = new StrokeLead(parts.At, _radius, maxErrorMm + Rounding);
         _ramp = Operation.RampDegrees is { } angle ? new RampEntry(angle, maxErrorMm) : null;
-        _rampBelowTabs = Operation is { Tabs: { } tabs, Depth: { } bottom } ? DepthSteps(Operation).Where(step => step.Depth > bottom - tabs.Height).Max(step => _ramp?.LengthOf(step.Depth - step.Before) ?? 0.0) : 0.0;
+        _rampBelowTabs = Operation is { Tabs: { } tabs, Depth: { } bottom } ? DepthSteps(Operation).Where(step => step.Depth > bottom - tabs.Height).Select(step => _ramp?.LengthOf(step.Depth - Math.Max(step.Before, bottom - tabs.Height!.Value)) ?? 0.0).DefaultIfEmpty().Max() : 0.0;
         var segments = ordered.Strokes.Select(stroke => (IReadOnlyList<Segment>)[.. IsClosedProfile(stroke) ? MovesOf(stroke).Select(move => move.Segment) : []]).ToList();
         _starts = new PickedPlaces(segments, Operation.StartAt, Operation.StartWithin);
         _tabsByHand = new PickedPlaces(segments, Operation.Tabs?.At ?? [], Operation.Tabs?.Within ?? 0.0);

@@ -22,7 +22,7 @@ internal sealed class TabCheck(ShapedOperation shape)
     /// <param name="pieces">The strokes of a pass of a contour.</param>
     /// <param name="contour">What they cut.</param>
     /// <param name="level">Height of the pass.</param>
-    /// <param name="falls">Differences of the heights of the passes, the largest of which determines where a descent has no tabs.</param>
+    /// <param name="falls">Differences of the heights of the passes, the largest of which, at most the height of the tabs, determines where a descent has none.</param>
     public bool IsFault(IReadOnlyList<ToolpathStroke> pieces, StrokeContour contour, double level, IReadOnlyList<double> falls)
     {
         var raised = pieces.SelectMany(piece => piece.Moves).Where(move => move.Role == StrokeRole.Tab).ToList();
@@ -67,7 +67,7 @@ internal sealed class TabCheck(ShapedOperation shape)
     private bool HasRoom(StrokeContour contour, List<Point2D> middles, double span, IReadOnlyList<double> falls)
     {
         var moves = contour.Stroke.Moves;
-        var descent = shape.Operation.RampDegrees is { } angle ? falls.Max() / Math.Tan(angle * Math.PI / 180.0) : 0.0;
+        var descent = shape.Operation.RampDegrees is { } angle ? Math.Min(falls.Max(), shape.Operation.Tabs!.Height ?? double.PositiveInfinity) / Math.Tan(angle * Math.PI / 180.0) : 0.0;
         var (atStart, atEnd) = (contour.Overcut.Sum(move => move.Segment.Length), contour.Stroke.Length - descent);
         for (var row = 0; row < shape.Path.Count; row++)
         {

@@ -77,7 +77,12 @@ public sealed record DocumentState
     /// <summary>The document whose placement is in the coordinates of its file, because they were saved.</summary>
     public DocumentState WithPlacementSaved() => Drawing is not { Placement.IsNone: false } drawing
         ? this
-        : this with { Drawing = drawing with { Placement = DrawingPlacement.None, PlacementMap = Transform2D.Identity }, Settings = Settings with { Placement = DrawingPlacement.None } };
+        : this with
+        {
+            Drawing = drawing with { Placement = DrawingPlacement.None, PlacementMap = Transform2D.Identity },
+            Settings = Settings with { Placement = DrawingPlacement.None, Operations = Settings.Operations?.PlacedOn(drawing) },
+            Sidecar = Sidecar with { Operations = Sidecar.Operations?.PlacedOn(drawing) },
+        };
 
     /// <summary>The same objects after an edit: the indices of texts follow those of the curves.</summary>
     internal static IReadOnlyList<int> Following(IReadOnlyList<int> objects, Drawing before, Drawing after)

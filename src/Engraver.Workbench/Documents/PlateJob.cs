@@ -31,6 +31,6 @@ public static class PlateJob
         int[] objects = [.. Enumerable.Range(0, drawing.Entities.Count + drawing.Texts.Count)];
         var map = Transform2D.Move(new Vector2D(drawing.Scale.ToDrawing(offset.X), drawing.Scale.ToDrawing(offset.Y)));
         if (!DrawingEdit.TryTransform(drawing, objects.Take(drawing.Entities.Count), map, out var moved)) throw new SettingException(Wording.Get("DrawingChange.OutOfRange"));
-        return EditedAnnotations.For(drawing, objects, takesLocked: true, keepsTextDirection: false).Moved(moved, map);
+        return EditedAnnotations.For(drawing, objects, takesLocked: true, keepsTextDirection: false).Moved(moved, map) with { PlacementMap = map.After(drawing.PlacementMap) };
     }
 }

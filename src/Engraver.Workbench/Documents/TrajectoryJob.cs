@@ -44,6 +44,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         ArgumentNullException.ThrowIfNull(settings);
         var read = SidecarFile.Read(drawing);
         List<Diagnostic> findings = [.. read.Findings];
+        if (!drawing.Placement.IsNone && read.Sidecar is { Trajectories.All.Count: > 0 }) throw new SettingException(Wording.Get("Trajectories.NotPlaced"));
         return (read.Sidecar is { Trajectories.All: { Count: > 0 } kept } ? kept : Planned(drawing, settings, findings), findings);
     }
 

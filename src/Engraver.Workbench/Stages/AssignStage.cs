@@ -17,7 +17,7 @@ internal sealed class AssignStage() : JobStage<AnalysedJob, AssignedJob>("Assign
     protected override AssignedJob Execute(AnalysedJob job, CancellationToken cancellation)
     {
         if (job.Settings.Operations is not { } plan) return new AssignedJob(job, null);
-        var assignment = OperationAssignment.Of(job.Analysed, job.Drawing, plan, job.Settings.Machine, MachineFamilies.DriverOf(job.Settings.Machine).Limits, job.Settings.Tool, StageOptions.SelectionOf(job.Settings), job.Source.Entities.Count + job.Source.Texts.Count);
+        var assignment = OperationAssignment.Of(job.Analysed, job.Drawing, plan.PlacedOn(job.Drawing), job.Settings.Machine, MachineFamilies.DriverOf(job.Settings.Machine).Limits, job.Settings.Tool, StageOptions.SelectionOf(job.Settings), job.Source.Entities.Count + job.Source.Texts.Count);
         return new AssignedJob(job with { Drawing = assignment.Drawing, Findings = [.. job.Findings, .. assignment.Findings] }, assignment);
     }
 }

@@ -38,8 +38,14 @@ public static class ProgramVerification
         var report = Report(job, tolerances, faults.Count > 0 ? faults : judges.Findings(), judges.Verdicts(), bridges);
         if (job.LetterFaults is { Count: > 0 } misplaced) report = report with { Ok = false, Diagnostics = [.. misplaced, .. report.Diagnostics] };
         if (report.Ok && judges.ResidualFinding(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
-        return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest, Operations = judges.Operations() };
+        var operations = judges.Operations();
+        if (report.Ok && PassesNotCut(operations) is { Count: > 0 } passes) report = report with { Ok = false, Diagnostics = passes };
+        return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest, Operations = operations };
     }
+
+    /// <summary>Passes and repeats that the program leaves out; the whole drawing can be cut without them.</summary>
+    private static List<Diagnostic> PassesNotCut(IReadOnlyList<MeasuredOperation> operations) =>
+        [.. operations.Where(operation => operation.Depths.Contains(null)).Select(operation => OperationRules.PassNotCut.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.Depths.Count(depth => depth is null))))];
 
     /// <summary>The controller may deviate from the program by its path control: both distances are added. Without a bound they are unknown.</summary>
     private static VerificationReport Blended(VerificationReport report, BlendJudge blends, double allowed)

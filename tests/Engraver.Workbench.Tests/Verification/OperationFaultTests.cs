@@ -28,13 +28,14 @@ public class OperationFaultTests
         ("tab height", (plan, random) => Change((JsonObject)Of(plan, "outline")["tabs"]!, "height", random)),
         ("tab width", (plan, random) => Change((JsonObject)Of(plan, "outline")["tabs"]!, "width", random)),
         ("stock", (plan, _) => Set(plan, "outline", "stock", 0.15)),
+        ("repeat gone", (plan, _) => Set(plan, "marks", "repeats", 1)),
         ("hole gone", (plan, _) => Set(plan, "holes", "maxDiameter", 2.2)),
     ];
 
     [Fact]
     public async Task Verify_accepts_the_program_of_a_plate_and_finds_every_fault_of_another()
     {
-        var cases = TestExtent.Cases(13, 200, "ENGRAVER_OPERATION_FAULTS");
+        var cases = TestExtent.Cases(14, 200, "ENGRAVER_OPERATION_FAULTS");
         for (var seed = 0; seed < cases; seed++)
         {
             var random = new Random(seed);
@@ -79,7 +80,7 @@ public class OperationFaultTests
 
     private static JsonObject Operations(Random random) => (JsonObject)JsonNode.Parse($$"""
         { "version": "1.0", "tools": [{ "number": 1, "diameter": {{1 + random.Next(3)}} }], "operations": [
-          { "id": "marks", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.2 },
+          { "id": "marks", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.2, "repeats": 2 },
           { "id": "holes", "kind": "drill", "select": { "layers": ["HOLES"] }, "tool": 1, "depth": 2, "peck": 1 },
           { "id": "pocket", "kind": "pocket", "select": { "layers": ["POCKET"] }, "tool": 1, "depth": 1, "depthPerPass": 0.5 },
           { "id": "outline", "kind": "profile", "side": "{{(random.Next(2) == 0 ? "outside" : "inside")}}", "select": { "layers": ["OUTLINE"] }, "tool": 1, "depth": 2, "depthPerPass": 1,

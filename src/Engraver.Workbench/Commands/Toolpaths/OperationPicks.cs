@@ -1,5 +1,4 @@
 using System.Text.Json.Nodes;
-using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Operations;
 using Engraver.Workbench.CommandLanguage;
@@ -13,7 +12,8 @@ namespace Engraver.Workbench.Commands.Toolpaths;
 /// <param name="id">Id of the operation.</param>
 internal sealed class OperationPicks(CommandContext context, string id)
 {
-    private DrawingScale Scale => context.Drawing.Scale;
+    /// <summary>Rounding of a place that was mapped to the placed drawing and back, mm.</summary>
+    private const double Rounding = 1e-6;
 
     /// <summary>Asks for starts until Enter. A place that is near no contour is refused; a new start of a contour replaces the one that it has.</summary>
     /// <returns>The plan with the starts; null without a change.</returns>
@@ -26,11 +26,11 @@ internal sealed class OperationPicks(CommandContext context, string id)
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
                 case Answer<Point2D>.Value { Result: var point }:
-                    var start = Scale.ToMillimetres(point);
+                    var start = InFile(point);
                     var places = Find(plan).StartAt.Append(start).ToList();
                     var unused = PlacesIn(With(plan, "start", "at", ListOf(places)))?.UnusedStarts ?? [];
-                    if (unused.Contains(start)) context.WriteMessage(Wording.Get("Operation.NoContour"));
-                    else changed = plan = With(plan, "start", "at", ListOf([.. places.Except(unused)]));
+                    if (IsIn(unused, start)) context.WriteMessage(Wording.Get("Operation.NoContour"));
+                    else changed = plan = With(plan, "start", "at", ListOf([.. places.Where(place => !IsIn(unused, place))]));
                     break;
                 case Answer<Point2D>.SelectedOption:
                     changed = plan = With(plan, "start", "at", null);
@@ -53,7 +53,7 @@ internal sealed class OperationPicks(CommandContext context, string id)
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
                 case Answer<Point2D>.Value { Result: var point }:
-                    tabs.Add(Scale.ToMillimetres(point));
+                    tabs.Add(InFile(point));
                     break;
                 case Answer<Point2D>.SelectedOption { Option: "Clear" }:
                     tabs.Clear();
@@ -66,7 +66,7 @@ internal sealed class OperationPicks(CommandContext context, string id)
                     }
 
                     tabs.Remove(await NearestAsync(tabs).ConfigureAwait(false));
-                    if (option == "Move") tabs.Add(Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Operation.SpecifyNewPlace"))).ConfigureAwait(false)));
+                    if (option == "Move") tabs.Add(InFile(await context.ValueAsync(new PointPrompt(Wording.Get("Operation.SpecifyNewPlace"))).ConfigureAwait(false)));
                     break;
                 default:
                     return changed;
@@ -84,7 +84,7 @@ internal sealed class OperationPicks(CommandContext context, string id)
 
     private async Task<Point2D> NearestAsync(List<Point2D> tabs)
     {
-        var picked = Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Operation.SelectTab")) { Purpose = PointPurpose.Object }).ConfigureAwait(false));
+        var picked = InFile(await context.ValueAsync(new PointPrompt(Wording.Get("Operation.SelectTab")) { Purpose = PointPurpose.Object }).ConfigureAwait(false));
         return tabs.MinBy(tab => tab.DistanceTo(picked));
     }
 
@@ -99,12 +99,19 @@ internal sealed class OperationPicks(CommandContext context, string id)
 
     private Operation Find(OperationPlan plan) => plan.Operations.First(operation => operation.Id == id);
 
-    /// <summary>Tabs and starts as the job would have them; null when it cannot be made.</summary>
+    /// <summary>Tabs and starts as the job would have them, on the drawing of the file; null when it cannot be made.</summary>
     private DressedPlaces? PlacesIn(OperationPlan plan)
     {
         var settings = context.Document.Current.Settings with { Operations = plan, Tool = Find(plan).Tool };
-        return JobPreparation.To<OrderedJob>(context.Drawing, settings, context.PlateValues).Places.FirstOrDefault(places => places.Operation == id);
+        return JobPreparation.To<OrderedJob>(context.Drawing, settings, context.PlateValues).Places.FirstOrDefault(places => places.Operation == id) is { } placed
+            ? placed with { Tabs = [.. placed.Tabs.Select(context.Drawing.Unplaced)], UnusedStarts = [.. placed.UnusedStarts.Select(context.Drawing.Unplaced)] }
+            : null;
     }
+
+    /// <summary>A place on the canvas as operations have it: millimetres on the drawing of the file.</summary>
+    private Point2D InFile(Point2D picked) => context.Drawing.Unplaced(context.Drawing.Scale.ToMillimetres(picked));
+
+    private static bool IsIn(IReadOnlyList<Point2D> places, Point2D place) => places.Any(one => one.DistanceTo(place) <= Rounding);
 
     private OperationPlan With(OperationPlan plan, string field, string inner, JsonNode? value) => OperationEdits.Changed(plan, id, field, inner, value);
 

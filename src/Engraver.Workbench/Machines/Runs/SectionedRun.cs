@@ -53,7 +53,7 @@ public static class SectionedRun
     {
         JournalPath = JournalFolder.OfSection(options.JournalPath, run),
         TracePath = options.TracePath is { } trace ? JournalFolder.OfSection(trace, run) : null,
-        Resume = new ResumeRequest { Journal = ended.Journal, LeadInMm = options.Resume?.LeadInMm ?? ResumeRequest.DefaultLeadInMm, AtOrigin = options.Resume?.AtOrigin ?? false },
+        Resume = new ResumeRequest { Journal = ended.Journal, LeadInMm = options.Resume?.LeadInMm ?? ResumeRequest.DefaultLeadInMm },
         Origin = options.Origin is OriginRequest.PresentPosition && ended.Placement is { Frame: { } frame } ? new OriginRequest.MachinePoint(scale.ToMillimetres(frame.X, frame.Y)) : options.Origin,
         Starting = null,
     };
