@@ -88,12 +88,14 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NoRamp = new("OPR0054", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule NoHelix = new("OPR0055", Severity.Warning, "operation", "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
-        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
+        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix,
     ];
 }

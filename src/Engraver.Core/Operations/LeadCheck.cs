@@ -31,12 +31,13 @@ internal sealed class LeadCheck
     }
 
     /// <summary>A place of a lead that is nearer than allowed; null when there is none.</summary>
+    /// <param name="isAside">Descents are beside the contour too.</param>
     /// <param name="distance">Of the tool's centre from the contours: its radius, and the stock that is left.</param>
     /// <param name="tolerance">Of the path beside its contour, mm.</param>
-    public Point2D? Fault(IEnumerable<StrokeMove> moves, double distance, double tolerance)
+    public Point2D? Fault(IEnumerable<StrokeMove> moves, bool isAside, double distance, double tolerance)
     {
         var least = (distance * (1.0 - PlannedStep)) - tolerance - ChordError - 1e-4;
-        foreach (var lead in moves.Where(move => move.Role == StrokeRole.Lead).Select(move => move.Segment))
+        foreach (var lead in moves.Where(move => move.Role == StrokeRole.Lead || (isAside && move.Role == StrokeRole.Ramp)).Select(move => move.Segment))
         {
             var count = Math.Max(2, (int)Math.Ceiling(lead.Length / Math.Max(1e-3, Math.Min(0.05, 0.2 * distance))));
             for (var i = 0; i <= count; i++)

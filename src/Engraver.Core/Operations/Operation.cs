@@ -101,6 +101,9 @@ public sealed record Operation
     /// <summary>Angle at which the tool descends along a stroke to the depth of a pass, degrees; null: straight down.</summary>
     public double? RampDegrees { get; init; }
 
+    /// <summary>Radius of the helix beside the start of a stroke on which the tool descends at that angle, mm; null: it descends along the stroke.</summary>
+    public double? HelixRadius { get; init; }
+
     /// <summary>Length by which a closed profile is cut beyond its start, mm.</summary>
     public double Overcut { get; init; }
 
@@ -125,6 +128,9 @@ public sealed record Operation
 
     /// <summary>The operation with its picked places on a drawing that is placed.</summary>
     internal Operation Placed(Func<Point2D, Point2D> map) => this with { StartAt = [.. StartAt.Select(map)], Tabs = Tabs is { } tabs ? tabs with { At = [.. tabs.At.Select(map)] } : null };
+
+    /// <summary>Distance along a contour from its start within which a helix may cut, mm; 0 without one.</summary>
+    internal double HelixReachOf(CuttingTool tool) => HelixRadius is { } radius ? radius + (tool.Diameter / 2.0) : 0.0;
 
     /// <summary>The kind as files write it.</summary>
     public string KindWord => OperationFields.WordOf(Kind);

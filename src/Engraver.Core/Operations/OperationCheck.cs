@@ -60,7 +60,7 @@ public static class OperationCheck
                 if (tabs.IsFault(pieces, contour, level, falls)) yield return NotAsStated(shape, "tab", pieces[0].Start);
                 if (descents.IsFault(pieces[0], contour.Stroke.Moves, before, level)) yield return NotAsStated(shape, "ramp", pieces[0].Start);
                 if (contour.HasOvercutFault(shape.Operation.Overcut)) yield return NotAsStated(shape, "overcut", pieces[0].Start);
-                if (leads.Fault(pieces.SelectMany(piece => piece.Moves), (shape.Part.Tool.Diameter / 2.0) + shape.Operation.Stock, tolerances.MaxError) is { } place) yield return NotAsStated(shape, "lead", place);
+                if (leads.Fault(pieces.SelectMany(piece => piece.Moves), shape.Operation.HelixRadius is not null, (shape.Part.Tool.Diameter / 2.0) + shape.Operation.Stock, tolerances.MaxError) is { } place) yield return NotAsStated(shape, "lead", place);
             }
 
             foreach (var stroke in contours.Where(stroke => DirectionFault(shape.Operation, stroke, contours))) yield return NotAsStated(shape, "direction", stroke.Start);

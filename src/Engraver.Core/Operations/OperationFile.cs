@@ -30,7 +30,7 @@ public static class OperationFile
     private static readonly string[] s_leadFields = ["shape", "radius", "length", "direction"];
     private static readonly string[] s_startFields = ["rule", "at", "within"];
     private static readonly string[] s_tabFields = ["count", "spacing", "at", "within", "width", "height", "shape", "angle"];
-    private static readonly string[] s_rampFields = ["angle"];
+    private static readonly string[] s_rampFields = ["angle", "radius"];
     private static readonly string[] s_selectFields = ["layers", "colours", "linetypes", "blocks", "handles"];
 
     private static readonly string[] s_operationFields =
@@ -199,7 +199,7 @@ public static class OperationFile
         var of = new OperationFields(value, path, lines, s_operationFields, findings);
         foreach (var name in (string[])["id", "kind", "select", "tool"]) of.Required(name);
         if (of.Find("kind") is { ValueKind: JsonValueKind.String } kind && kind.GetString() == "fill") of.Required("spacing");
-        var start = Inner(of, "start", path, lines, s_startFields, findings);
+        var (start, ramp) = (Inner(of, "start", path, lines, s_startFields, findings), RampOf(of, path, lines, findings));
         var operation = new Operation
         {
             Id = of.Text("id") ?? "",
@@ -236,7 +236,8 @@ public static class OperationFile
             LeadIn = LeadOf(of, "leadIn", path, lines, findings),
             LeadOut = LeadOf(of, "leadOut", path, lines, findings),
             Overcut = of.Number("overcut", 0.0, 1e3, includesLowest: false) ?? 0.0,
-            RampDegrees = RampOf(of, path, lines, findings),
+            RampDegrees = ramp.Angle,
+            HelixRadius = ramp.Radius,
             Start = start?.Choice<StartRule>("rule") ?? StartRule.Nearest,
             StartAt = start?.Places("at") ?? [],
             StartWithin = start is null ? Operation.PickedWithin : WithinOf(start),
@@ -266,6 +267,7 @@ public static class OperationFile
             of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
         }
 
+        if (operation is { HelixRadius: { } helix, Kind: not (OperationKind.Profile or OperationKind.Pocket) }) of.Invalid(of.PathOf("ramp.radius"), FactText.Of(helix), Wording.Get("OperationFile.OnlyFor", string.Join(", ", ((OperationKind[])[OperationKind.Profile, OperationKind.Pocket]).Select(OperationFields.WordOf))));
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
@@ -323,11 +325,11 @@ public static class OperationFile
         };
     }
 
-    private static double? RampOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
+    private static (double? Angle, double? Radius) RampOf(OperationFields of, string path, JsonFields lines, List<Diagnostic> findings)
     {
-        if (Inner(of, "ramp", path, lines, s_rampFields, findings) is not { } ramp) return null;
+        if (Inner(of, "ramp", path, lines, s_rampFields, findings) is not { } ramp) return default;
         ramp.Required("angle");
-        return ramp.Number("angle", 0.5, 89.0, includesLowest: true);
+        return (ramp.Number("angle", 0.5, 89.0, includesLowest: true), ramp.Number("radius", 0.0, 1e3, includesLowest: false));
     }
 
     /// <summary>How far places that were picked may be from their contours.</summary>

@@ -73,7 +73,7 @@ internal static class OperationText
         Write(writer, "leadIn", operation.LeadIn);
         Write(writer, "leadOut", operation.LeadOut);
         WriteNumber(writer, "overcut", operation.Overcut == 0.0 ? null : operation.Overcut);
-        WriteRamp(writer, operation.RampDegrees);
+        WriteRamp(writer, operation);
         WriteStart(writer, operation);
         if (operation.Tabs is { } tabs) Write(writer, tabs);
         WriteNumber(writer, "peck", operation.Peck);
@@ -107,11 +107,12 @@ internal static class OperationText
         writer.WriteEndObject();
     }
 
-    private static void WriteRamp(Utf8JsonWriter writer, double? degrees)
+    private static void WriteRamp(Utf8JsonWriter writer, Operation operation)
     {
-        if (degrees is not { } angle) return;
+        if (operation.RampDegrees is not { } angle) return;
         writer.WriteStartObject("ramp");
         writer.WriteNumber("angle", angle);
+        WriteNumber(writer, "radius", operation.HelixRadius);
         writer.WriteEndObject();
     }
 

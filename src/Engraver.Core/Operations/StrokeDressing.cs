@@ -16,6 +16,8 @@ internal sealed class StrokeDressing
     private readonly double _maxErrorMm;
     private readonly StrokeLead _lead;
     private readonly RampEntry? _ramp;
+    private readonly HelixEntry? _helix;
+    private readonly double _helixReach;
     private readonly double _rampBelowTabs;
     private readonly PickedPlaces _starts;
     private readonly PickedPlaces _tabsByHand;
@@ -23,6 +25,7 @@ internal sealed class StrokeDressing
     private readonly Dictionary<int, TabPlaces> _tabs = [];
     private readonly HashSet<int> _withoutCorner = [];
     private readonly HashSet<int> _withoutRamp = [];
+    private readonly HashSet<int> _withoutHelix = [];
     private readonly HashSet<int> _shorterThanOvercut = [];
 
     private StrokeDressing(OrderedOperation ordered, PartClearance parts, double maxErrorMm)
@@ -30,6 +33,8 @@ internal sealed class StrokeDressing
         (_ordered, _parts, _maxErrorMm, _radius) = (ordered, parts, maxErrorMm, (ordered.Shape.Part.Tool.Diameter / 2.0) + ordered.Shape.Operation.Stock);
         _lead = new StrokeLead(parts.At, _radius, maxErrorMm + Rounding);
         _ramp = Operation.RampDegrees is { } angle ? new RampEntry(angle, maxErrorMm) : null;
+        _helix = _ramp is { } slope && Operation.HelixRadius is { } turn ? new HelixEntry(slope, turn, parts.At, _radius, maxErrorMm) : null;
+        _helixReach = Operation.HelixReachOf(ordered.Shape.Part.Tool);
         _rampBelowTabs = Operation is { Tabs: { } tabs, Depth: { } bottom } ? DepthSteps(Operation).Where(step => step.Depth > bottom - tabs.Height).Select(step => _ramp?.LengthOf(step.Depth - Math.Max(step.Before, bottom - tabs.Height!.Value)) ?? 0.0).DefaultIfEmpty().Max() : 0.0;
         var segments = ordered.Strokes.Select(stroke => (IReadOnlyList<Segment>)[.. IsClosedProfile(stroke) ? MovesOf(stroke).Select(move => move.Segment) : []]).ToList();
         _starts = new PickedPlaces(segments, Operation.StartAt, Operation.StartWithin);
@@ -52,6 +57,7 @@ internal sealed class StrokeDressing
             if (_withoutCorner.Count > 0) yield return At(OperationRules.NoCorner, [.. _withoutCorner]);
             if (_shorterThanOvercut.Count > 0) yield return At(OperationRules.OvercutShortened, [.. _shorterThanOvercut]);
             if (_withoutRamp.Count > 0) yield return At(OperationRules.NoRamp, [.. _withoutRamp]);
+            if (_withoutHelix.Count > 0) yield return At(OperationRules.NoHelix, [.. _withoutHelix]);
             if (UnusedStarts is { Count: > 0 } starts) yield return At(OperationRules.StartUnused, starts);
             List<Point2D> tabs = [.. _tabsByHand.Unused, .. _tabs.Values.SelectMany(tabs => tabs.Unplaced)];
             if (tabs.Count > 0) yield return At(OperationRules.TabUnplaced, tabs);
@@ -83,7 +89,8 @@ internal sealed class StrokeDressing
     /// <summary>The rows of the stroke after a descent.</summary>
     private DressedPiece AppendDescended(EntityTable table, int index, OrderedStroke stroke, double before, double depth)
     {
-        var (first, descent) = (table.Count, DescentTo(index, [.. MovesOf(stroke)], before, depth));
+        IReadOnlyList<StrokeMove> moves = [.. MovesOf(stroke)];
+        var (first, descent) = (table.Count, HelixTo(index, moves[0], before, depth) ?? DescentTo(index, moves, before, depth));
         foreach (var move in descent) Append(table, move);
         for (var row = stroke.FirstRow; row < stroke.FirstRow + stroke.Rows; row++) OperationRows.Append(table, _ordered.Path, row, -depth, -depth);
         return new DressedPiece(table.Count - first, stroke.Closed && descent.Count == 0);
@@ -98,9 +105,11 @@ internal sealed class StrokeDressing
         var overcut = isClosed ? OvercutOf(index, contour) : 0.0;
         if (isClosed && Operation.Tabs is { } tabs) AddTabs(dressed, tabs, index, contour, overcut, depth);
         dressed.AddOvercut(overcut);
-        var descent = DescentTo(index, contour, before, depth);
-        dressed.Enter(descent);
+        var helix = HelixTo(index, LeadInto(dressed.Moves[0]) ?? dressed.Moves[0], before, depth);
+        var descent = helix ?? DescentTo(index, contour, before, depth);
+        if (helix is null) dressed.Enter(descent);
         var hasLeads = AddLeads(dressed, index);
+        if (helix is not null) dressed.Enter(helix);
         var pieces = PiecesOf(dressed.Moves);
         foreach (var move in pieces.SelectMany(piece => piece)) Append(table, move);
         return [.. pieces.Select(piece => new DressedPiece(piece.Count, isClosed && !hasLeads && overcut == 0.0 && descent.Count == 0 && pieces.Count == 1))];
@@ -109,7 +118,7 @@ internal sealed class StrokeDressing
     private void AddTabs(DressedStroke dressed, PartTabs tabs, int index, IReadOnlyList<StrokeMove> contour, double overcut, double depth)
     {
         var (span, slope) = (tabs.Width + _ordered.Shape.Part.Tool.Diameter, tabs.Slope);
-        _tabs[index] = new TabPlaces(tabs, [.. contour.Select(move => move.Segment)], _tabsByHand.Of(index), span + (2.0 * (tabs.Height ?? 0.0) / slope), overcut, _rampBelowTabs);
+        _tabs[index] = new TabPlaces(tabs, [.. contour.Select(move => move.Segment)], _tabsByHand.Of(index), span + (2.0 * (tabs.Height ?? 0.0) / slope), Math.Max(overcut, _helixReach), Math.Max(_rampBelowTabs, _helixReach));
         var top = Operation.Depth is { } bottom ? bottom - tabs.Height!.Value : depth;
         if (top < depth || tabs.Height is null) dressed.AddTabs(_tabs[index].Middles, span, top, slope, _maxErrorMm);
     }
@@ -124,7 +133,7 @@ internal sealed class StrokeDressing
     private bool AddLeads(DressedStroke dressed, int index)
     {
         if (Operation is { LeadIn: null, LeadOut: null }) return false;
-        var into = Operation.LeadIn is { } leadIn ? _lead.Into(leadIn, dressed.Moves[0]) : null;
+        var into = LeadInto(dressed.Moves[0]);
         var outOf = Operation.LeadOut is { } leadOut ? _lead.OutOf(leadOut, dressed.Moves[^1]) : null;
         if (into is { } first) dressed.Enter([first]);
         if (outOf is { } last) dressed.Leave([last]);
@@ -133,6 +142,17 @@ internal sealed class StrokeDressing
         return into is not null || outOf is not null;
 
         static double Of(StrokeMove? lead) => lead is { } move ? StrokeLead.LengthOf(move.Segment) : 0.0;
+    }
+
+    private StrokeMove? LeadInto(in StrokeMove first) => Operation.LeadIn is { } lead ? _lead.Into(lead, first) : null;
+
+    /// <summary>Null for an operation without a helix, and where none has room.</summary>
+    private IReadOnlyList<StrokeMove>? HelixTo(int index, in StrokeMove first, double before, double depth)
+    {
+        if (_helix is null) return null;
+        if (_helix.To(first, before, depth) is { } helix) return helix;
+        _withoutHelix.Add(index);
+        return null;
     }
 
     private IReadOnlyList<StrokeMove> DescentTo(int index, IReadOnlyList<StrokeMove> stroke, double before, double depth)

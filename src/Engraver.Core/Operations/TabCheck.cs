@@ -68,7 +68,8 @@ internal sealed class TabCheck(ShapedOperation shape)
     {
         var moves = contour.Stroke.Moves;
         var descent = shape.Operation.RampDegrees is { } angle ? Math.Min(falls.Max(), shape.Operation.Tabs!.Height ?? double.PositiveInfinity) / Math.Tan(angle * Math.PI / 180.0) : 0.0;
-        var (atStart, atEnd) = (contour.Overcut.Sum(move => move.Segment.Length), contour.Stroke.Length - descent);
+        var reach = shape.Operation.HelixReachOf(shape.Part.Tool);
+        var (atStart, atEnd) = (Math.Max(contour.Overcut.Sum(move => move.Segment.Length), reach), contour.Stroke.Length - Math.Max(descent, reach));
         for (var row = 0; row < shape.Path.Count; row++)
         {
             var side = shape.Path[row].ToSegment();

@@ -18,7 +18,7 @@ public class OperationFileTests
               "operations": [
                 { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "linetypes": ["DASHED"], "blocks": ["B1", "B2"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
                   "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
-                  "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5, "direction": "tangential" }, "overcut": 2.5, "ramp": { "angle": 4 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
+                  "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5, "direction": "tangential" }, "overcut": 2.5, "ramp": { "angle": 4, "radius": 2.5 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
                 { "id": "o5", "kind": "profile", "select": "rest", "tool": 3, "depth": 3, "start": { "rule": "corner" }, "tabs": { "spacing": 50, "width": 3, "height": 1, "shape": "sloped", "angle": 30 } },
                 { "id": "o6", "kind": "profile", "select": "rest", "tool": 3, "tabs": { "count": 2, "width": 3 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
@@ -38,6 +38,7 @@ public class OperationFileTests
         Assert.Equal((new LeadMove(LeadShape.Arc, 2.0), new LeadMove(LeadShape.Line, 1.5) { Direction = LeadDirection.Tangential }, StartRule.Top, new PartTabs(3.0, 1.0) { Count = 4, Within = 2.0, At = s_none }), (outline.LeadIn!, outline.LeadOut!, outline.Start, outline.Tabs! with { At = s_none }));
         Assert.Equal([new Point2D(1.0, 2.0), new Point2D(3.5, -4.0), new Point2D(5.0, 6.0)], [.. outline.StartAt, .. outline.Tabs!.At]);
         Assert.Equal(3.0, outline.StartWithin);
+        Assert.Equal((2.5, null), (outline.HelixRadius!.Value, plan.Operations[1].HelixRadius));
         Assert.Equal((2.5, 4.0, 0.0, null), (outline.Overcut, outline.RampDegrees!.Value, plan.Operations[1].Overcut, plan.Operations[1].RampDegrees));
         Assert.Equal((TabShape.Sloped, 30.0, TabShape.Square, null), (plan.Operations[1].Tabs!.Shape, plan.Operations[1].Tabs!.AngleDegrees, outline.Tabs.Shape, plan.Operations[2].Tabs!.Height));
         Assert.Equal((StartRule.Corner, 50.0, null), (plan.Operations[1].Start, plan.Operations[1].Tabs!.Spacing!.Value, plan.Operations[1].Tabs!.Count));
@@ -84,6 +85,7 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "direction": "tangential"} }""", "OPR0003", "operations[0].leadIn.direction", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "ramp": {"angle": 3} }""", "OPR0003", "operations[0].ramp", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "ramp": {} }""", "OPR0004", "operations[0].ramp.angle", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": 1, "ramp": {"angle": 3, "radius": 1} }""", "OPR0003", "operations[0].ramp.radius", 3)]
     [InlineData("""{ "id": "o1", "kind": "drill", "select": "rest", "tool": 3, "depth": 1, "ramp": {"angle": 3} }""", "OPR0003", "operations[0].ramp", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "overcut": 0 }""", "OPR0003", "operations[0].overcut", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 2, "tabs": {"count": 1, "width": 1} }""", "OPR0004", "operations[0].tabs.height", 3)]

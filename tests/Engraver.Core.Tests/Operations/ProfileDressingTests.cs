@@ -20,6 +20,7 @@ public class ProfileDressingTests
         Dressed,
         """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "direction": "climb", "start": {"rule": "corner"}, "ramp": {"angle": 6}, "leadIn": {"shape": "line", "length": 2, "direction": "tangential"}, "tabs": {"count": 3, "width": 2, "height": 1, "shape": "sloped", "angle": 64} }""",
         """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 2, "direction": "climb", "start": {"rule": "top"}, "ramp": {"angle": 6}, "overcut": 3, "leadIn": {"shape": "arc", "radius": 1.5}, "leadOut": {"shape": "arc", "radius": 2}, "tabs": {"spacing": 45, "width": 2, "height": 1} }""",
+        """{ "id": "cut", "kind": "profile", "select": "rest", "tool": 1, "depth": 3, "depthPerPass": 1.5, "direction": "climb", "start": {"rule": "longest"}, "ramp": {"angle": 6, "radius": 2}, "leadIn": {"shape": "line", "length": 1}, "tabs": {"count": 3, "width": 2, "height": 1} }""",
     ];
 
     [Fact]
@@ -206,6 +207,44 @@ public class ProfileDressingTests
             Assert.All(ramp, move => Assert.True(move.Segment.Kind == SegmentKind.Line && move.StartZ - move.EndZ <= (slope * move.Segment.Length) + 1e-9));
             Assert.True(ramp[^1].Segment.End.IsNear(stroke.Moves.First(move => move.Role == StrokeRole.Cut).Segment.Start, 1e-9));
         }
+    }
+
+    /// <summary>The tool descends on a circle that touches the start, by whole turns and never more steeply than stated, and is then at the depth of the pass.</summary>
+    [Theory]
+    [InlineData("profile", "CUT", "\"direction\": \"climb\", \"tabs\": {\"count\": 2, \"width\": 2, \"height\": 1}, \"leadIn\": {\"shape\": \"arc\", \"radius\": 2},")]
+    [InlineData("profile", "CUT", "\"direction\": \"conventional\", \"side\": \"outside\",")]
+    [InlineData("pocket", "CUT", "\"order\": \"level\",")]
+    public void A_helix_descends_beside_the_start(string kind, string layer, string fields)
+    {
+        var slope = Math.Tan(5.0 * Math.PI / 180.0);
+        var job = new OperationJob(OperationStrokesTests.Plate(), $$"""{ "id": "a", "kind": "{{kind}}", "select": {"layers": ["{{layer}}"]}, "tool": 1, "startDepth": 0.5, "depth": 3, "depthPerPass": 1.5, {{fields}} "ramp": {"angle": 5, "radius": 1.5} }""");
+        var drawn = job.Assignment.Parts[0].Table.ToSegments();
+
+        Assert.Empty(job.CheckOf(job.Path));
+        var turning = job.Path.Strokes.Where(stroke => stroke.Moves[0].Role == StrokeRole.Ramp && stroke.Moves[1].Segment.Start.DistanceTo(stroke.Start) < 1.0).ToList();
+        Assert.True(turning.Count >= 2);
+        foreach (var stroke in turning.Where(stroke => !job.Passes.Findings.Any(finding => finding.Id == "OPR0055")))
+        {
+            var helix = stroke.Moves.TakeWhile(move => move.Role == StrokeRole.Ramp).ToList();
+            Assert.Equal(0.0, helix[0].Segment.Start.DistanceTo(helix[^1].Segment.End), 9);
+            Assert.All(helix, move => Assert.True(move.StartZ - move.EndZ <= (slope * move.Segment.Length) + 1e-9));
+            Assert.All(helix, move => Assert.True(drawn.Min(segment => segment.DistanceTo(move.Segment.PointAt(0.5))) >= 1.0 - 0.003));
+            Assert.InRange(helix.Max(move => move.Segment.Start.DistanceTo(stroke.Start)), 0.75, 3.0 + 1e-9);
+            Assert.Equal(helix[^1].EndZ, stroke.Moves[helix.Count].StartZ);
+        }
+
+        var steeper = job.Path with { Strokes = [.. job.Path.Strokes.Select(stroke => stroke.Index == turning[0].Index ? stroke with { Moves = [.. stroke.Moves.Skip(4)] } : stroke)] };
+        Assert.Contains(job.CheckOf(steeper), finding => finding == "OPR0018");
+    }
+
+    [Fact]
+    public void A_helix_without_room_becomes_a_ramp_and_is_named()
+    {
+        var job = new OperationJob(new DrawingBuilder().Square(0, 0, 2.6).Build(), """{ "id": "a", "kind": "profile", "side": "inside", "select": "rest", "tool": 1, "depth": 1, "ramp": {"angle": 5, "radius": 3} }""");
+
+        Assert.Equal(("OPR0055", "1"), (Assert.Single(job.Passes.Findings).Id, job.Passes.Findings[0].Facts[1]));
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Equal(1.0 / Math.Tan(5.0 * Math.PI / 180.0), job.Path.Strokes[0].Moves.Where(move => move.Role == StrokeRole.Ramp).Sum(move => move.Segment.Length), 6);
     }
 
     [Fact]
