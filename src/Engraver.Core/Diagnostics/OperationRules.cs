@@ -78,6 +78,8 @@ public static class OperationRules
 
     public static readonly DiagnosticRule HatchesNotRead = new("OPR0047", Severity.Error, "operation");
 
+    public static readonly DiagnosticRule OtherOutputs = new("OPR0048", Severity.Error, "operation", "count");
+
     public static readonly DiagnosticRule StartUnused = new("OPR0050", Severity.Warning, "operation", "count", "x", "y");
 
     public static readonly DiagnosticRule NoCorner = new("OPR0051", Severity.Info, "operation", "count", "x", "y");
@@ -95,7 +97,7 @@ public static class OperationRules
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
-        NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
+        NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead, OtherOutputs,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix,
     ];
 }

@@ -45,6 +45,12 @@ public sealed record MachineProfile
     /// <summary>The motor that turns the tool; null where the machine has none that this program switches.</summary>
     public Spindle? Spindle { get; init; }
 
+    /// <summary>Sets the power of a beam; null where it is set by hand.</summary>
+    public AnalogOutput? Power { get; init; }
+
+    /// <summary>Outputs that the operations of the job switch besides tool and spindle, bit 0 is output 1: a stop switches them off.</summary>
+    public int OperationOutputs { get; init; }
+
     /// <summary>Maximum position error of a healthy axis, mm; null: <see cref="FollowingErrorAt"/> computes it for a speed. A larger one means that the axis is
     /// jammed or its motor cannot follow.</summary>
     public double? FollowingErrorMm { get; init; }
@@ -106,17 +112,25 @@ public sealed record MachineProfile
     public IReadOnlyList<OutputSwitch> OffAtStop => Height is null ? OffAtAbort : [];
 
     /// <summary>The outputs that an abort switches off: everything that works on the material.</summary>
-    public IReadOnlyList<OutputSwitch> OffAtAbort =>
+    public IReadOnlyList<OutputSwitch> OffAtAbort => [.. ToolAndSpindle, .. OutputSwitch.Of(OperationOutputs)];
+
+    private IEnumerable<OutputSwitch> ToolAndSpindle =>
         [.. Height is null ? [Tool] : (OutputSwitch[])[], .. Spindle is { } spindle ? [new OutputSwitch(spindle.Output, spindle.IsActiveLow)] : (OutputSwitch[])[]];
 
     /// <summary>Whether the device on an output is on at this level: for tool and spindle their wiring decides, for any other output the level
     /// itself.</summary>
     /// <param name="output">From 1.</param>
-    public bool IsOnAt(int output, bool level) => OffAtAbort.Where(carried => carried.Output == output).Select(carried => level != carried.IsActiveLow).FirstOrDefault(level);
+    public bool IsOnAt(int output, bool level) => ToolAndSpindle.Where(carried => carried.Output == output).Select(carried => level != carried.IsActiveLow).FirstOrDefault(level);
 
     /// <summary>Whether this level of an output is for jobs only: it switches on a device that works on the material, and only a job's watchdog would switch it
     /// off again.</summary>
-    public bool IsForJobsOnly(int output, bool level) => OffAtStop.Any(carried => carried.Output == output && level != carried.IsActiveLow);
+    public bool IsForJobsOnly(int output, bool level) => Height is null && ToolAndSpindle.Any(carried => carried.Output == output && level != carried.IsActiveLow);
+
+    /// <summary>Whether an output switches the tool or the spindle.</summary>
+    public bool IsToolOrSpindle(int output) => ToolAndSpindle.Any(carried => carried.Output == output);
+
+    /// <summary>Letter of the axis whose analog output sets the speed of the spindle or the power of the beam; null for none.</summary>
+    public char? AnalogAxis => Spindle?.SpeedAxis ?? Power?.Axis;
 
     /// <summary>Time to wait after the tool is switched off, seconds.</summary>
     public double OffSettleSeconds => ToolOffSettleSeconds ?? ToolSettleSeconds;

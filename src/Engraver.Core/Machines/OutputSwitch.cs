@@ -11,5 +11,8 @@ public readonly record struct OutputSwitch(int Output, bool IsActiveLow = false)
     /// <param name="outputs">Outputs 1 to 8, bit 0 is output 1.</param>
     public bool IsOn(int outputs) => ((outputs & (1 << (Output - 1))) != 0) != IsActiveLow;
 
+    /// <summary>The outputs of a word, bit 0 is output 1; each is on at the high level.</summary>
+    public static IEnumerable<OutputSwitch> Of(int outputs) => Enumerable.Range(1, 8).Where(output => (outputs & (1 << (output - 1))) != 0).Select(FromInt32);
+
     public static OutputSwitch FromInt32(int output) => new(output);
 }

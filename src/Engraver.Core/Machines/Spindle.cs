@@ -20,4 +20,7 @@ public sealed record Spindle
 
     /// <summary>Volts of that output while the spindle turns (galil-dmc.md C, OF: -9.9982 to 9.9982).</summary>
     public double SpeedVolts { get; init; }
+
+    /// <summary>Turns per minute at these volts; null where operations cannot set the speed.</summary>
+    public double? FullSpeed { get; init; }
 }

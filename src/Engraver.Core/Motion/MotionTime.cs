@@ -18,7 +18,7 @@ public static class MotionTime
         if (program.Profile.Height is not null) times += ToolAt(at, on: false, null, program, commands); // it is raised from its present height
         foreach (var stroke in program.Strokes)
         {
-            times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, stroke.Terms, program, commands);
+            times += Ready(at, stroke.Terms, commands) + RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, stroke.Terms, program, commands);
             for (var i = 0; i < stroke.Sequences.Count; i++) times += Cut(stroke.Sequences[i], program, commands);
             at = stroke.Sequences[^1].End;
             times += Dwell(at, stroke.Terms, commands) + ToolAt(at, on: false, stroke.Terms, program, commands);
@@ -41,6 +41,9 @@ public static class MotionTime
         var moving = Sampled(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts, commands);
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
+
+    /// <summary>The wait before the machine moves to a stroke.</summary>
+    internal static MotionTimes Ready(CountsPoint at, StrokeTerms? terms, CommandTimes commands) => terms is { ReadySeconds: > 0.0 and var seconds } ? new MotionTimes(0.0, 0.0, commands.Wait(at, seconds)) : default;
 
     /// <summary>The wait at the end of a stroke.</summary>
     internal static MotionTimes Dwell(CountsPoint at, StrokeTerms? terms, CommandTimes commands) => terms is { DwellSeconds: > 0.0 and var seconds } ? new MotionTimes(0.0, 0.0, commands.Wait(at, seconds)) : default;

@@ -66,7 +66,7 @@ public sealed class MotionTimeline
     private void AddStroke(int index, CountsPoint from)
     {
         var stroke = Program.Strokes[index];
-        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands);
+        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands) + MotionTime.Ready(from, stroke.Terms, _commands);
         Add(SpanColumn.SpanPart.Wait, rapid.Dwell, index, 0);
         Add(SpanColumn.SpanPart.Rapid, rapid.Rapid, index, 0);
         var on = MotionTime.ToolAt(stroke.Start, on: true, stroke.Terms, Program, _commands);

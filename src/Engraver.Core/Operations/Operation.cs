@@ -107,6 +107,9 @@ public sealed record Operation
     /// <summary>Length by which a closed profile is cut beyond its start, mm.</summary>
     public double Overcut { get; init; }
 
+    /// <summary>Outputs of the machine profile that are on while its strokes are cut, by name or number: air, coolant.</summary>
+    public IReadOnlyList<string> Outputs { get; init; } = [];
+
     /// <summary>How a profile is entered; null: straight down on the contour.</summary>
     public LeadMove? LeadIn { get; init; }
 

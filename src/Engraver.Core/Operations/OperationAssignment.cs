@@ -94,7 +94,7 @@ public sealed record OperationAssignment
             Drawing = placed.ToDrawing(drilled, filled),
             NotTaken = [.. notTaken.Keys],
             Contours = contours,
-            Findings = [.. FindingsOf(taken, plan), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
+            Findings = [.. FindingsOf(taken, plan, machine), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
             Faults = [.. FaultsOf(drawing, plan, machine, limits, tool)],
         };
     }
@@ -123,12 +123,12 @@ public sealed record OperationAssignment
         }
     }
 
-    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, TakenContent> content, OperationPlan plan)
+    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, TakenContent> content, OperationPlan plan, MachineProfile machine)
     {
         foreach (var (operation, taken) in content)
         {
             if (taken.IsEmpty) yield return OperationRules.TakesNothing.At(default, operation.Title);
-            if (plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
+            if (plan.SpindleOf(operation) is { } speed && machine.Spindle is not { SpeedAxis: not null, FullSpeed: not null }) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
         }
 
         var active = content.Keys.ToList();
@@ -169,6 +169,13 @@ public sealed record OperationAssignment
         var feed = plan.FeedOf(operation, machine);
         if (!MachineProfileValidation.IsFeed(feed, machine, limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": feed", FactText.Of(feed), MachineProfileValidation.FeedRange(machine, limits));
         if (plan.PlungeOf(operation, machine) is { } plunge && !MachineProfileValidation.IsSpeed(machine.Scale.Z.CountsOf(plunge / 60.0), limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": plunge", FactText.Of(plunge), MachineProfileValidation.AxisSpeeds(limits));
+        foreach (var name in operation.Outputs)
+        {
+            if (machine.Outputs.Find(name, limits.Outputs) is not { } output) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": outputs", name, machine.Outputs.All.Count == 0 ? Wording.Get("OperationAssignment.NoOutputs") : string.Join(", ", machine.Outputs.All.Values));
+            else if (machine.IsToolOrSpindle(output)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": outputs", name, Wording.Get("OperationAssignment.NotTheTool"));
+        }
+
+        if (machine.Spindle is { SpeedAxis: not null, FullSpeed: { } full } && plan.SpindleOf(operation) is { } speed && speed > full) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": spindle", FactText.Of(speed), Wording.Get("OperationFile.NumberAbove", 0.0, full));
         if (operation.Depth is not { } depth) yield break;
         if (plan.ToolOf(operation) is { MaxDepth: { } limit } tool && depth > limit) yield return OperationRules.DeeperThanTool.At(default, operation.Title, FactText.Of(depth), tool.Title, FactText.Of(limit));
         if (machine.Height is null) yield break;

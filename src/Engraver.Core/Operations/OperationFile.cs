@@ -35,7 +35,7 @@ public static class OperationFile
 
     private static readonly string[] s_operationFields =
     [
-        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "outputs", "direction", "order",
         "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
@@ -217,6 +217,7 @@ public static class OperationFile
             Finish = of.Number("finish", 0.0, LargestLength, includesLowest: true) ?? 0.0,
             Stock = of.Number("stock", 0.0, 1e3, includesLowest: true) ?? 0.0,
             Repeats = of.Whole("repeats", 1, 1000) ?? 1,
+            Outputs = of.Texts("outputs", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
             Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
             Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,

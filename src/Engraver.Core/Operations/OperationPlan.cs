@@ -7,6 +7,7 @@ namespace Engraver.Core.Operations;
 /// <summary>The operations of a job in their order, and the tools that they name. Immutable; two plans are equal when their texts are.</summary>
 public sealed class OperationPlan : IEquatable<OperationPlan>
 {
+    private const int MostOutputs = 8;
     private readonly string _text;
 
     /// <param name="operations">Ids are unique; every tool is in <paramref name="tools"/>.</param>
@@ -39,13 +40,32 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     /// <summary>Turns per minute; null where neither operation nor tool states it.</summary>
     public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
 
+    /// <summary>Outputs of a machine that are on while an operation is cut, bit 0 is output 1; a name that the profile does not have is left out.</summary>
+    public static int OutputsOf(Operation operation, MachineProfile machine)
+    {
+        ArgumentNullException.ThrowIfNull(operation);
+        ArgumentNullException.ThrowIfNull(machine);
+        return operation.Outputs.Select(name => machine.Outputs.Find(name, MostOutputs)).OfType<int>().Aggregate(0, (word, output) => word | (1 << (output - 1)));
+    }
+
+    /// <summary>Speed of the spindle as a part of the full value of the machine's analog output; null where it has none or no operation of the job states a
+    /// speed.</summary>
+    /// <param name="tool">As for <see cref="Active"/>.</param>
+    public double? AnalogPartOf(Operation operation, MachineProfile machine, int tool)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        if (machine.Spindle is not { SpeedAxis: not null, FullSpeed: { } full } || Active(tool).All(one => SpindleOf(one) is null)) return null;
+        return (SpindleOf(operation) ?? full) / full;
+    }
+
     /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its
-    /// profile; its feeds are the highest of the operations, of which each stroke has its own. Applied to
+    /// profile; its feeds are the highest of the operations, of which each stroke has its own. It switches their outputs. Applied to
     /// its own result, it changes nothing.</summary>
     /// <param name="tool">As for <see cref="Active"/>.</param>
     public MachineProfile Applied(MachineProfile machine, int tool)
     {
         ArgumentNullException.ThrowIfNull(machine);
+        machine = machine with { OperationOutputs = Active(tool).Aggregate(0, (word, operation) => word | OutputsOf(operation, machine)) };
         machine = machine with { FeedMmPerMinute = Active(tool).Select(operation => FeedOf(operation, machine)).DefaultIfEmpty(machine.FeedMmPerMinute).Max() };
         if (machine.Height is not { } drive) return machine;
         var plunge = Active(tool).Select(operation => PlungeOf(operation, machine)!.Value).DefaultIfEmpty(drive.PlungeMmPerMinute).Max();

@@ -63,6 +63,7 @@ internal static class OperationText
         WriteNumber(writer, "finish", operation.Finish == 0.0 ? null : operation.Finish);
         WriteNumber(writer, "stock", operation.Stock == 0.0 ? null : operation.Stock);
         WriteNumber(writer, "repeats", operation.Repeats == 1 ? null : operation.Repeats);
+        Write(writer, "outputs", operation.Outputs);
         if (operation.Direction != CutDirection.Any) writer.WriteString("direction", OperationFields.WordOf(operation.Direction));
         if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
         if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));
@@ -176,13 +177,18 @@ internal static class OperationText
         writer.WriteStartObject("select");
         foreach (var (name, texts) in ((string, IReadOnlyList<string>)[])[("layers", selection.Layers), ("colours", selection.Colours), ("linetypes", selection.Linetypes), ("blocks", selection.Blocks), ("handles", selection.Handles)])
         {
-            if (texts.Count == 0) continue;
-            writer.WriteStartArray(name);
-            foreach (var text in texts) writer.WriteStringValue(text);
-            writer.WriteEndArray();
+            Write(writer, name, texts);
         }
 
         writer.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter writer, string name, IReadOnlyList<string> texts)
+    {
+        if (texts.Count == 0) return;
+        writer.WriteStartArray(name);
+        foreach (var text in texts) writer.WriteStringValue(text);
+        writer.WriteEndArray();
     }
 
     private static void WriteNumber(Utf8JsonWriter writer, string name, double? value)

@@ -25,6 +25,12 @@ public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<Stroke
     /// <summary>Time at the end of the last move before the tool is taken away, seconds.</summary>
     public double DwellSeconds { get; init; }
 
+    /// <summary>Outputs that are on while it is cut, besides tool and spindle; bit 0 is output 1.</summary>
+    public int Outputs { get; init; }
+
+    /// <summary>Speed of the spindle or power of the beam, as a part of the full value of the machine's analog output; null: as the profile states.</summary>
+    public double? AnalogPart { get; init; }
+
     public Point2D Start => Moves[0].Segment.Start;
 
     public Point2D End => Moves[^1].Segment.End;

@@ -6,4 +6,8 @@ namespace Engraver.Core.Verification;
 /// <param name="ExtraLength">Length that was cut beside the path.</param>
 /// <param name="Depth">Deepest place below height 0; 0 on a machine without a tool axis.</param>
 /// <param name="FeedMmPerMinute">The fastest cutting speed over a tenth of a second; null where no such piece was cut, and without times.</param>
-public sealed record MeasuredPass(double MaxDeviation, double MissingLength, double ExtraLength, double Depth, double? FeedMmPerMinute);
+public sealed record MeasuredPass(double MaxDeviation, double MissingLength, double ExtraLength, double Depth, double? FeedMmPerMinute)
+{
+    /// <summary>Number of cutting samples with outputs other than those of the operation.</summary>
+    public long OutputFaults { get; init; }
+}

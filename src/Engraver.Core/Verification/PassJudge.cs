@@ -39,7 +39,7 @@ public sealed class PassJudge : ITraceJudge
         }
 
         if (!_isCutting) Enter(sample.Place);
-        _passes[_strokes[_stroke].Pass].Add(sample);
+        _passes[_strokes[_stroke].Pass].Add(sample, _strokes[_stroke].HasOther(sample.Outputs));
     }
 
     public void Add(in TraceSpan span)
@@ -51,7 +51,7 @@ public sealed class PassJudge : ITraceJudge
         }
 
         if (!_isCutting) Enter(span.Path.Start);
-        _passes[_strokes[_stroke].Pass].Add(span);
+        _passes[_strokes[_stroke].Pass].Add(span, _strokes[_stroke].HasOther(span.Outputs));
     }
 
     /// <summary>What was added before was cut by an earlier run: it is not measured.</summary>
@@ -103,24 +103,27 @@ public sealed class PassJudge : ITraceJudge
         private const double Window = 0.1;
 
         private long _samples;
+        private long _outputFaults;
         private double _lowest = double.PositiveInfinity;
         private double _fastest;
         private TraceSample? _last;
         private (double Seconds, double Length)? _window;
 
-        public void Add(in TraceSample sample)
+        public void Add(in TraceSample sample, bool hasOtherOutputs)
         {
             judge.Add(sample);
             _samples++;
+            if (hasOtherOutputs) _outputFaults++;
             _lowest = Math.Min(_lowest, sample.ZMm);
             Time(sample);
             _last = sample;
         }
 
-        public void Add(in TraceSpan span)
+        public void Add(in TraceSpan span, bool hasOtherOutputs)
         {
             judge.Add(span);
             _samples += span.Samples;
+            if (hasOtherOutputs) _outputFaults += span.Samples;
             _lowest = Math.Min(_lowest, span.At(1.0).ZMm);
             if (span.ToSeconds - span.FromSeconds >= Window) _fastest = Math.Max(_fastest, span.Path.Length / (span.ToSeconds - span.FromSeconds));
             (_last, _window) = (null, null);
@@ -135,7 +138,7 @@ public sealed class PassJudge : ITraceJudge
         public void BeginRun()
         {
             judge.BeginRun();
-            (_samples, _lowest, _fastest, _last, _window) = (0, double.PositiveInfinity, 0.0, null, null);
+            (_samples, _outputFaults, _lowest, _fastest, _last, _window) = (0, 0, double.PositiveInfinity, 0.0, null, null);
         }
 
         public TraceVerdict Verdict() => judge.Verdict();
@@ -144,7 +147,7 @@ public sealed class PassJudge : ITraceJudge
         {
             if (_samples == 0) return null;
             var found = judge.Verdict();
-            return new MeasuredPass(found.MaxDeviation, found.MissingLength, found.ExtraLength, -_lowest, _fastest == 0.0 ? null : _fastest * 60.0);
+            return new MeasuredPass(found.MaxDeviation, found.MissingLength, found.ExtraLength, -_lowest, _fastest == 0.0 ? null : _fastest * 60.0) { OutputFaults = _outputFaults };
         }
 
         /// <summary>Moves straight down and up are not the feed.</summary>

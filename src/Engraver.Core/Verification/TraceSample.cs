@@ -13,5 +13,8 @@ public readonly record struct TraceSample(double Seconds, double XMm, double YMm
     /// <summary>Following error: distance of the motors from their commanded positions in X and Y, millimetres; null when not recorded.</summary>
     public double? FollowingMm { get; init; }
 
+    /// <summary>Outputs 1 to 8 of the controller, bit 0 is output 1; null where they were not recorded.</summary>
+    public int? Outputs { get; init; }
+
     public Point2D Place => new(XMm, YMm);
 }

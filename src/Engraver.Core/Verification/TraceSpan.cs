@@ -13,9 +13,12 @@ public readonly record struct TraceSpan(double FromSeconds, double ToSeconds, lo
     /// <summary>Following error of every sample, as in <see cref="TraceSample.FollowingMm"/>.</summary>
     public double? FollowingMm { get; init; }
 
+    /// <summary>Outputs during the span, as in <see cref="TraceSample.Outputs"/>.</summary>
+    public int? Outputs { get; init; }
+
     internal TraceSample At(double fraction)
     {
         var place = Path.PointAt(fraction);
-        return new TraceSample(FromSeconds + ((ToSeconds - FromSeconds) * fraction), place.X, place.Y, Cutting) { FollowingMm = FollowingMm };
+        return new TraceSample(FromSeconds + ((ToSeconds - FromSeconds) * fraction), place.X, place.Y, Cutting) { FollowingMm = FollowingMm, Outputs = Outputs };
     }
 }

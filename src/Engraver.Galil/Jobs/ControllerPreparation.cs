@@ -34,6 +34,7 @@ internal sealed class ControllerPreparation(ControllerSession session, MachinePr
     private List<string> Commands(int mark, JobCoordinates frame) =>
     [
         .. profile.OffAtAbort.Select(OperatorStop.SwitchOffCommand),
+        .. Subprograms.PowerZero(profile),
         "CAS",
         ResidentServer.DefineVariables(profile, wait),
         ResidentServer.MarkCommand(mark),

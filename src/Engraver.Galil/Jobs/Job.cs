@@ -167,6 +167,7 @@ internal sealed class Job
         if (!_isHandMove)
         {
             await _machine.Tool.ClearAsync().ConfigureAwait(false);
+            _machine.Tool.Terms = _program.Strokes.Count > 0 ? _program.Strokes[0].Terms : null;
             await _machine.Tool.TurnAsync(on: true).ConfigureAwait(false);
         }
 

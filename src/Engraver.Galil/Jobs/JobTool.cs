@@ -25,6 +25,9 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>How the tool is brought to the work and taken away at the present stroke; null: as the profile states.</summary>
     public StrokeTerms? Terms { get; set; }
 
+    /// <summary>The outputs as this job has set them last; null before.</summary>
+    private (int On, double? Volts)? _outputs;
+
     private StrokeTerms? PresentTerms => machine.Phase.Program is { } program ? program.TermsAt(machine.State.Calls) : Terms;
 
     /// <summary>State of the output that this poll should show: as this job switched it, or as the program in the controller should have switched it. In a
@@ -63,7 +66,7 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>The job has a spindle that turns.</summary>
     public bool HasSpindle => !dryRun && machine.Profile.Spindle is not null;
 
-    /// <summary>Switches the spindle, and waits until it has its speed. A dry run leaves it off. Where programs in the controller run the job it is
+    /// <summary>Switches the spindle, and waits until it has its speed; off with the outputs of operations. A dry run leaves it off. Where programs in the controller run the job it is
     /// switched on only by <see cref="TurnForProgramAsync"/>.</summary>
     public ValueTask TurnAsync(bool on) => on && machine.Phase.TurnsForPrograms ? ValueTask.CompletedTask : SwitchSpindleAsync(on);
 
@@ -72,9 +75,28 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
 
     private async ValueTask SwitchSpindleAsync(bool on)
     {
-        if (dryRun || machine.Profile.Spindle is not { } spindle) return;
-        await machine.Commands.SendAllAsync(on ? Subprograms.SpindleOn(spindle) : Subprograms.SpindleOff(spindle)).ConfigureAwait(false);
-        if (on) await WaitAsync(spindle.SpinUpSeconds).ConfigureAwait(false);
+        if (dryRun) return;
+        if (!on)
+        {
+            await machine.Commands.SendAllAsync(Subprograms.RestOffCommands(machine.Profile)).ConfigureAwait(false);
+            _outputs = null;
+        }
+        else if (machine.Profile.Spindle is { } spindle)
+        {
+            await machine.Commands.SendAllAsync(Subprograms.SpindleOn(spindle, PresentTerms)).ConfigureAwait(false);
+            await WaitAsync(spindle.SpinUpSeconds).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Before the machine moves to a stroke: sets the outputs that its operation states, and waits until the spindle has its speed. A dry run leaves
+    /// them off.</summary>
+    public async ValueTask PrepareAsync(StrokeTerms? terms)
+    {
+        Terms = terms;
+        if (dryRun || terms is not { SetsOutputs: true } || _outputs == (terms.OutputsOn, terms.Volts)) return;
+        await machine.Commands.SendAllAsync(Subprograms.Outputs(machine.Profile, terms)).ConfigureAwait(false);
+        if (terms.ReadySeconds > 0.0 && _outputs is { } before && before.Volts != terms.Volts) await WaitAsync(terms.ReadySeconds).ConfigureAwait(false);
+        _outputs = (terms.OutputsOn, terms.Volts);
     }
 
     /// <summary>At rapid speed down to the retract height, then at the plunge feed; straight up where the tool is lower.</summary>

@@ -31,7 +31,7 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
             if (!reached) warning = Wording.Get("ToolRetreat.NotRaised", profile.Axes.NameOf(z.Letter), height);
         }
 
-        foreach (var command in profile.Spindle is { } spindle ? Subprograms.SpindleOff(spindle) : []) await SendAsync(command).ConfigureAwait(false);
+        foreach (var command in Subprograms.RestOffCommands(profile)) await SendAsync(command).ConfigureAwait(false);
         return (rest, warning);
     }
 

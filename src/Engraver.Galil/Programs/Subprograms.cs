@@ -66,19 +66,42 @@ internal static class Subprograms
 
     /// <summary>The speed is set first if it is an analog output; the motor of that axis is off, because a servo loop would counteract the offset (galil-dmc.md
     /// C, OF).</summary>
-    public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", DmcFormat.Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
+    /// <param name="terms">Of the first stroke; null: as the profile states.</param>
+    public static IReadOnlyList<string> SpindleOn(Spindle spindle, StrokeTerms? terms) =>
+        [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", Analog(axis, terms?.Volts ?? spindle.SpeedVolts)] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
 
-    public static IReadOnlyList<string> SpindleOff(Spindle spindle) => [Switch(spindle.Output, spindle.IsActiveLow), .. spindle.SpeedAxis is { } axis ? (string[])[$"OF{axis}=0"] : []];
+    /// <summary>Switches off what the job has switched on besides the tool: spindle, outputs of operations, power of a beam.</summary>
+    public static IReadOnlyList<string> RestOffCommands(MachineProfile profile) =>
+    [
+        .. profile.Spindle is { } spindle ? (string[])[Switch(spindle.Output, spindle.IsActiveLow)] : [],
+        .. profile.AnalogAxis is { } axis ? (string[])[$"OF{axis}=0"] : [],
+        .. OutputSwitch.Of(profile.OperationOutputs).Select(output => Switch(output.Output, output.IsActiveLow)),
+    ];
 
-    /// <summary>Spindle off, as one statement of a line; empty without a spindle.</summary>
-    public static string SpindleOff(MachineProfile profile) => profile.Spindle is { } spindle ? string.Join(';', SpindleOff(spindle)) : string.Empty;
+    /// <summary>The same as one statement of a line; empty where there is nothing to switch off.</summary>
+    public static string RestOff(MachineProfile profile) => string.Join(';', RestOffCommands(profile));
+
+    /// <summary>Sets the outputs and the analog output for a stroke, before the machine moves to it; empty where its operation states none.</summary>
+    public static IReadOnlyList<string> Outputs(MachineProfile profile, StrokeTerms? terms) => terms is not { SetsOutputs: true } ? [] :
+    [
+        .. OutputSwitch.Of(terms.Outputs).Select(output => Switch(output.Output, output.IsOn(terms.OutputsOn))),
+        .. terms.Volts is { } volts && profile.AnalogAxis is { } axis ? (string[])[Analog(axis, volts)] : [],
+    ];
+
+    /// <summary>The same with the wait for the spindle.</summary>
+    public static string[] Ready(MachineProfile profile, StrokeTerms? terms) => [.. Outputs(profile, terms), Wait(terms?.ReadySeconds ?? 0.0)];
+
+    /// <summary>Motor of the axis off and no power, before the first stroke sets it; empty where the profile has no axis for the power of a beam.</summary>
+    public static IReadOnlyList<string> PowerZero(MachineProfile profile) => profile.Power is { Axis: var axis } ? [$"MO{axis}", $"OF{axis}=0"] : [];
+
+    private static string Analog(char axis, double volts) => DmcFormat.Text($"OF{axis}={DmcFormat.Number(volts)}");
 
     /// <summary>The wait after a change of the tool; empty when the profile has no settle time.</summary>
     public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : DmcFormat.Text($"WT {profile.SettleMilliseconds(on)}");
 
     /// <summary>Switches the tool off first, then stops every motion of the plane and of its axes. One line, so that other threads cannot run in between. A
     /// spindle keeps turning while its tool may be in the work.</summary>
-    public static string StopEverything(MachineProfile profile) => Statements(ToolOff(profile), "STS", "ST" + profile.Axes.Letters, profile.Height is null ? SpindleOff(profile) : string.Empty);
+    public static string StopEverything(MachineProfile profile) => Statements(ToolOff(profile), "STS", "ST" + profile.Axes.Letters, profile.Height is null ? RestOff(profile) : string.Empty);
 
     /// <summary>Joined by ';', without empty statements.</summary>
     public static string Statements(params ReadOnlySpan<string> statements) => string.Join(';', statements.ToArray().Where(statement => statement.Length > 0));

@@ -111,7 +111,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         var z = _z is { } axis ? sample[axis] + (double)errorZ - frame.Z : 0.0;
         var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.UpSign * z < profile.UpSign * (double)profile.RetractCounts;
         var following = double.Hypot(motor.DistanceTo(commanded), profile.Scale.ToMillimetres((double)errorZ));
-        var traced = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following };
+        var traced = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following, Outputs = sample.Outputs };
         var seen = traced with { XMm = motor.X, YMm = motor.Y, ZMm = profile.Scale.ToMillimetres(z - errorZ) };
         foreach (var judge in judges) judge.Add(traced);
         Motors?.Add(traced, seen);
@@ -131,7 +131,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
 
     private void Forward(MotionSpan span, long from, long to, Segment path)
     {
-        var traced = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
+        var traced = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0, Outputs = span.Outputs };
         foreach (var judge in judges) judge.Add(traced);
         Motors?.AddSpan(traced.Cutting);
         Places?.Add(traced);

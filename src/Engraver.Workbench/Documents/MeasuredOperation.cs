@@ -1,3 +1,4 @@
+using System.Text.Json.Serialization;
 using Engraver.Core.Operations;
 using Engraver.Core.Verification;
 
@@ -15,6 +16,10 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Depths">Deepest place of each pass below the top of the work; null for a pass of which nothing was cut. Empty without heights.</param>
 public sealed record MeasuredOperation(string Id, string Name, string Kind, int Tool, double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths)
 {
+    /// <summary>Number of cutting samples with outputs other than those of the operation; null for none.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public long? OutputFaults { get; init; }
+
     /// <param name="passes">In order; null for one of which nothing was cut.</param>
     /// <param name="hasHeights">The heights of the tool were measured.</param>
     /// <returns>Null where no pass of the operation was cut.</returns>
@@ -23,6 +28,6 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
         var cut = passes.OfType<MeasuredPass>().ToList();
         return cut.Count == 0 ? null : new MeasuredOperation(
             operation.Id, operation.Name, operation.KindWord, operation.Tool, cut.Max(pass => pass.MaxDeviation), cut.Sum(pass => pass.MissingLength), cut.Sum(pass => pass.ExtraLength),
-            cut.Max(pass => pass.FeedMmPerMinute), hasHeights ? [.. passes.Select(pass => pass?.Depth)] : []);
+            cut.Max(pass => pass.FeedMmPerMinute), hasHeights ? [.. passes.Select(pass => pass?.Depth)] : []) { OutputFaults = cut.Sum(pass => pass.OutputFaults) is > 0 and var faults ? faults : null };
     }
 }

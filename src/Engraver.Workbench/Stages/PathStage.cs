@@ -17,15 +17,17 @@ internal sealed class PathStage() : JobStage<OrderedJob, PathJob>("Path", share:
     {
         var path = ToolpathPlanner.Plan(job.Sequence, job.Settings.Start, job.Settings.MaxErrorMm);
         if (job.Settings.Operations is not { } plan || job.Passes.Count == 0) return path;
-        return path with { Strokes = [.. path.Strokes.Zip(job.Passes, (stroke, pass) => WithTerms(stroke, pass.Operation, plan, job.Settings.Machine))] };
+        return path with { Strokes = [.. path.Strokes.Zip(job.Passes, (stroke, pass) => WithTerms(stroke, pass.Operation, plan, job.Settings))] };
     }
 
-    private static ToolpathStroke WithTerms(ToolpathStroke stroke, Operation operation, OperationPlan plan, MachineProfile machine) => stroke with
+    private static ToolpathStroke WithTerms(ToolpathStroke stroke, Operation operation, OperationPlan plan, DrawingSettings settings) => stroke with
     {
-        FeedMmPerMinute = plan.FeedOf(operation, machine),
-        PlungeMmPerMinute = plan.PlungeOf(operation, machine),
+        FeedMmPerMinute = plan.FeedOf(operation, settings.Machine),
+        PlungeMmPerMinute = plan.PlungeOf(operation, settings.Machine),
         PierceSeconds = operation.PierceSeconds,
         DwellSeconds = operation.DwellSeconds,
+        Outputs = OperationPlan.OutputsOf(operation, settings.Machine),
+        AnalogPart = plan.AnalogPartOf(operation, settings.Machine, settings.Tool),
     };
 
     protected override PathJob Execute(OrderedJob job, CancellationToken cancellation) => new(job, ToolpathOf(job));

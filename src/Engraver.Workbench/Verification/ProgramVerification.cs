@@ -39,13 +39,16 @@ public static class ProgramVerification
         if (job.LetterFaults is { Count: > 0 } misplaced) report = report with { Ok = false, Diagnostics = [.. misplaced, .. report.Diagnostics] };
         if (report.Ok && judges.ResidualFinding(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
         var operations = judges.Operations();
-        if (report.Ok && PassesNotCut(operations) is { Count: > 0 } passes) report = report with { Ok = false, Diagnostics = passes };
+        if (report.Ok && FaultsOf(operations) is { Count: > 0 } faulty) report = report with { Ok = false, Diagnostics = faulty };
         return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest, Operations = operations };
     }
 
-    /// <summary>Passes and repeats that the program leaves out; the whole drawing can be cut without them.</summary>
-    private static List<Diagnostic> PassesNotCut(IReadOnlyList<MeasuredOperation> operations) =>
-        [.. operations.Where(operation => operation.Depths.Contains(null)).Select(operation => OperationRules.PassNotCut.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.Depths.Count(depth => depth is null))))];
+    /// <summary>Passes and repeats that the program leaves out, without which the whole drawing can be cut, and outputs that it does not switch.</summary>
+    private static List<Diagnostic> FaultsOf(IReadOnlyList<MeasuredOperation> operations) =>
+    [
+        .. operations.Where(operation => operation.Depths.Contains(null)).Select(operation => OperationRules.PassNotCut.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.Depths.Count(depth => depth is null)))),
+        .. operations.Where(operation => operation.OutputFaults is not null).Select(operation => OperationRules.OtherOutputs.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.OutputFaults!.Value))),
+    ];
 
     /// <summary>The controller may deviate from the program by its path control: both distances are added. Without a bound they are unknown.</summary>
     private static VerificationReport Blended(VerificationReport report, BlendJudge blends, double allowed)

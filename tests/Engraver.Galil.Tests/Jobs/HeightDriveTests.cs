@@ -137,8 +137,8 @@ public class HeightDriveTests
         await Engraver.Galil.Jobs.JobRunner.RunAsync(LongSlope(profile), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal([0.0, 1.0], (await session.Commands.ReadAsync("_OFD,_MOD", CancellationToken.None)).Values);
-        Assert.Equal(["MOD", "OFD=4.5", "SB3"], Engraver.Galil.Programs.Subprograms.SpindleOn(profile.Spindle!));
-        Assert.Equal(["CB3", "OFD=0"], Engraver.Galil.Programs.Subprograms.SpindleOff(profile.Spindle!));
+        Assert.Equal(["MOD", "OFD=4.5", "SB3"], Engraver.Galil.Programs.Subprograms.SpindleOn(profile.Spindle!, null));
+        Assert.Equal(["CB3", "OFD=0"], Engraver.Galil.Programs.Subprograms.RestOffCommands(profile));
     }
 
     [Theory]

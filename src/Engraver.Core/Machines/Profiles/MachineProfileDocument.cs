@@ -85,7 +85,10 @@ internal sealed class MachineProfileDocument
         SpindleSeconds = profile.Spindle?.SpinUpSeconds,
         SpindleAxis = profile.Spindle?.SpeedAxis?.ToString(),
         SpindleVolts = profile.Spindle?.SpeedAxis is null ? null : profile.Spindle.SpeedVolts,
+        SpindleFullSpeed = profile.Spindle?.FullSpeed,
         SpindleStopsInHold = profile.Spindle?.StopsInHold,
+        PowerAxis = profile.Power?.Axis.ToString(),
+        PowerVolts = profile.Power?.Volts,
         MotorTypeX = profile.Axes.X.MotorType,
         MotorTypeY = profile.Axes.Y.MotorType,
         MotorTypeZ = profile.Axes.Z?.MotorType,
@@ -120,6 +123,7 @@ internal sealed class MachineProfileDocument
         ToolOffSettleSeconds = ToolOffSettleSeconds ?? profile.ToolOffSettleSeconds,
         Height = ToolDrive is null ? profile.Height : ToolDrive == AxisDrive ? HeightOver(profile.Height ?? new HeightDrive()) : null,
         Spindle = SpindleOutput is null ? profile.Spindle : SpindleOver(profile.Spindle ?? new Spindle()),
+        Power = PowerAxis is null ? profile.Power : new AnalogOutput(Letter(PowerAxis), PowerVolts ?? profile.Power?.Volts ?? 0.0),
         ParkX = ParkX ?? profile.ParkX,
         ParkY = ParkY ?? profile.ParkY,
         JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // at most the rapid speed
@@ -179,7 +183,13 @@ internal sealed class MachineProfileDocument
 
     public double? SpindleVolts { get; set; }
 
+    public double? SpindleFullSpeed { get; set; }
+
     public bool? SpindleStopsInHold { get; set; }
+
+    public string? PowerAxis { get; set; }
+
+    public double? PowerVolts { get; set; }
 
     public double? MotorTypeX { get; set; }
 
@@ -211,6 +221,7 @@ internal sealed class MachineProfileDocument
         SpinUpSeconds = SpindleSeconds ?? spindle.SpinUpSeconds,
         SpeedAxis = SpindleAxis is null ? spindle.SpeedAxis : Letter(SpindleAxis),
         SpeedVolts = SpindleVolts ?? spindle.SpeedVolts,
+        FullSpeed = SpindleFullSpeed ?? spindle.FullSpeed,
         StopsInHold = SpindleStopsInHold ?? spindle.StopsInHold,
     };
 
@@ -234,6 +245,9 @@ internal sealed class MachineProfileDocument
             if (SpindleStopsInHold is not null) yield return ("spindleStopsInHold", Beside("spindleOutput"));
         }
 
+        if (SpindleFullSpeed is not null && (SpindleAxis is null || SpindleOutput is null)) yield return ("spindleFullSpeed", Beside("spindleAxis"));
+        if (PowerVolts is not null && PowerAxis is null) yield return ("powerVolts", Beside("powerAxis"));
+        if (PowerAxis is not null && PowerVolts is null) yield return ("powerAxis", Beside("powerVolts"));
         if (SpindleVolts is not null && (SpindleAxis is null || SpindleOutput is null)) yield return ("spindleVolts", Beside("spindleAxis"));
         if (ToolDrive is not (null or OutputDrive or AxisDrive)) yield return ("toolDrive", Wording.Get("MachineProfileValidation.OneOfDrives", OutputDrive, AxisDrive));
     }

@@ -11,6 +11,7 @@ public static class MachineProfileValidation
     internal const char NoLetter = '?';
 
     private const double LongestSettleSeconds = 600.0;
+    private const double FastestSpindle = 1e6;
 
     private const double LargestRate = 1e9;
 
@@ -65,7 +66,15 @@ public static class MachineProfileValidation
             if (spindle.Output < 1 || spindle.Output > limits.Outputs || (p.Height is null && spindle.Output == p.ToolOutput)) yield return Finding("spindleOutput", spindle.Output, Wording.Get("MachineProfileValidation.OtherOutputThanTool", limits.Outputs));
             if (spindle.SpinUpSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("spindleSeconds", spindle.SpinUpSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
             if (spindle.SpeedAxis is { } letter && (!limits.Axes.Contains(letter) || p.Axes.Letters.Contains(letter))) yield return Finding("spindleAxis", letter, Wording.Get("MachineProfileValidation.FreeAxis", limits.Axes));
+            if (spindle.FullSpeed is not (null or (> 0.0 and <= FastestSpindle))) yield return Finding("spindleFullSpeed", spindle.FullSpeed.Value, Wording.Get("MachineProfileValidation.TurnsPerMinute", FastestSpindle));
             if (!(Math.Abs(spindle.SpeedVolts) <= limits.LargestVolts)) yield return Finding("spindleVolts", spindle.SpeedVolts, Wording.Get("MachineProfileValidation.Volts", limits.LargestVolts));
+        }
+
+        if (p.Power is { } power)
+        {
+            if (!limits.Axes.Contains(power.Axis) || p.Axes.Letters.Contains(power.Axis) || p.Spindle?.SpeedAxis is not null) yield return Finding("powerAxis", power.Axis, Wording.Get(p.Spindle?.SpeedAxis is null ? "MachineProfileValidation.FreeAxis" : "MachineProfileValidation.NotWithSpindleAxis", limits.Axes));
+            if (!(Math.Abs(power.Volts) <= limits.LargestVolts)) yield return Finding("powerVolts", power.Volts, Wording.Get("MachineProfileValidation.Volts", limits.LargestVolts));
+            if (p.Height is not null) yield return Finding("powerAxis", power.Axis, Wording.Get("MachineProfileValidation.OnlyOutputTool"));
         }
 
         if (p.Height is not { } height) yield break;

@@ -39,9 +39,11 @@ public static class ProfileMeaning
             ? Wording.Get("ProfileMeaning.ToolAxis", height.ClearanceHeight, height.RetractHeight, height.PlungeMmPerMinute, height.CutDepth)
             : Wording.Get(profile.ToolActiveLow ? "ProfileMeaning.ToolOutputLow" : "ProfileMeaning.ToolOutput", profile.ToolOutput, profile.ToolSettleSeconds, profile.OffSettleSeconds);
         if (profile.Height?.DepthPerPass is { } step) yield return Wording.Get("ProfileMeaning.Passes", step);
+        if (profile.Power is { } power) yield return Wording.Get("ProfileMeaning.Power", power.Axis, power.Volts);
         if (profile.Spindle is not { } spindle) yield break;
         yield return Wording.Get(spindle.IsActiveLow ? "ProfileMeaning.SpindleLow" : "ProfileMeaning.Spindle", spindle.Output, spindle.SpinUpSeconds);
         if (spindle.SpeedAxis is { } axis) yield return Wording.Get("ProfileMeaning.SpindleVolts", axis, spindle.SpeedVolts);
+        if (spindle.FullSpeed is { } full) yield return Wording.Get("ProfileMeaning.FullSpeed", full, spindle.SpeedVolts);
     }
 
     private static IEnumerable<string> Places(MachineProfile profile)

@@ -48,6 +48,7 @@ public sealed class GcodePost : IPost
         if (request.Operations is not { } operations) yield break;
         var changes = operations.Sections.Count - (choice.Dialect.HasToolChange ? 0 : 1);
         if (operations.Sections.Count > 1) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
+        foreach (var operation in operations.All.Where(operation => operation.Outputs.Count > 0)) yield return OperationRules.LeftOut.At(default, "gcode", "outputs", operation.Title);
         if (request.Machine is not { Height: null, Spindle: null } || choice.Switch == GcodeChoice.BySpindle) yield break;
         foreach (var operation in operations.All)
         {

@@ -59,6 +59,7 @@ public sealed class HpglPost : IPost
             if (operation.Depth is not null) yield return OperationRules.NotInFormat.At(default, "hpgl", "depth", operation.Title);
             if (operation.Tool > MostPens) yield return OperationRules.NotInFormat.At(default, "hpgl", $"tool {FactText.Of(operation.Tool)}", operation.Title);
             if (operation.PierceSeconds > 0.0) yield return OperationRules.LeftOut.At(default, "hpgl", "pierce", operation.Title);
+            if (operation.Outputs.Count > 0) yield return OperationRules.LeftOut.At(default, "hpgl", "outputs", operation.Title);
             if (operations.Plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
         }
     }

@@ -24,7 +24,7 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
     {
         var stroke = program.Strokes[index];
         ledger.Enter(index, 0);
-        machine.Tool.Terms = stroke.Terms;
+        await machine.Tool.PrepareAsync(stroke.Terms).ConfigureAwait(false);
         await RapidMove.ToAsync(machine, stroke.Start).ConfigureAwait(false);
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {

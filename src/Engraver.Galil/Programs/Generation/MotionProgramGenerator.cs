@@ -48,12 +48,15 @@ public static class MotionProgramGenerator
         if (!profile.Scale.IsUniform && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var columns = new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count));
         var generators = new Dictionary<(double Feed, double? Plunge), StrokeGenerator>();
+        var volts = (double?)null;
         foreach (var stroke in toolpath.Strokes)
         {
             var isCut = false;
+            var terms = TermsOf(stroke, profile, volts);
+            volts = terms?.Volts;
             var speeds = (stroke.FeedMmPerMinute ?? profile.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? profile.Height?.PlungeMmPerMinute);
             if (!generators.TryGetValue(speeds, out var generator)) generators[speeds] = generator = new StrokeGenerator(WithSpeeds(profile, speeds), maxErrorMm, style, columns);
-            foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift, TermsOf(stroke, profile));
+            foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift, terms);
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
@@ -65,10 +68,18 @@ public static class MotionProgramGenerator
         profile with { FeedMmPerMinute = speeds.Feed, Height = profile.Height is { } drive ? drive with { PlungeMmPerMinute = speeds.Plunge ?? drive.PlungeMmPerMinute } : null };
 
     /// <summary>Null for a stroke that does as the profile states.</summary>
-    private static StrokeTerms? TermsOf(ToolpathStroke stroke, MachineProfile profile)
+    /// <param name="before">Volts of the analog output at the stroke before; null for the first one.</param>
+    private static StrokeTerms? TermsOf(ToolpathStroke stroke, MachineProfile profile, double? before)
     {
+        var volts = profile.Power is { } power ? power.Volts * (stroke.AnalogPart ?? 1.0) : profile.Spindle is { SpeedAxis: not null } spindle ? spindle.SpeedVolts * stroke.AnalogPart : null;
         var plunge = stroke.PlungeMmPerMinute is { } speed ? profile.PlungeSpeed(speed) : profile.PlungeSpeed();
-        return plunge == profile.PlungeSpeed() && stroke is { PierceSeconds: 0.0, DwellSeconds: 0.0 } ? null : new StrokeTerms(plunge, stroke.PierceSeconds, stroke.DwellSeconds);
+        return plunge == profile.PlungeSpeed() && stroke is { PierceSeconds: 0.0, DwellSeconds: 0.0 } && profile.OperationOutputs == 0 && volts is null
+            ? null
+            : new StrokeTerms(plunge, stroke.PierceSeconds, stroke.DwellSeconds)
+            {
+                Outputs = profile.OperationOutputs, OutputsOn = stroke.Outputs, Volts = volts,
+                ReadySeconds = profile.Power is null && before is not null && volts is not null && before != volts ? profile.Spindle!.SpinUpSeconds : 0.0,
+            };
     }
 
     private static void AddRefusals(Toolpath toolpath, CountsScale scale, CountsPoint start, Func<int, SourceRef> source, List<Diagnostic> findings)

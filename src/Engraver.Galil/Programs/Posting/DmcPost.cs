@@ -39,7 +39,7 @@ public static class DmcPost
     private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options)
     {
         var ownPlunges = HasOwnPlunges(program);
-        return new PostTemplate(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + stroke.SegmentCount };
+        return new PostTemplate(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
     }
 
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
@@ -47,7 +47,7 @@ public static class DmcPost
         var axes = program.Profile.Axes;
         var (toolOn, toolOff) = SequenceSyntax.ToolOf(program.Profile, dryRun: false, HasOwnPlunges(program), height => DmcFormat.Text($"oz{height:+0;-0}"));
         var spelling = new SequenceSyntax(
-            string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
+            string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff, terms => Ready(program.Profile, terms));
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
         return new PostTemplate(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
     }
@@ -76,7 +76,8 @@ public static class DmcPost
         lines.Line(types.Count > 0 ? string.Empty : ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         if (program.Profile.Height is not null) lines.Line(variables).Line(DmcFormat.Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
-        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
+        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle, program.Strokes.Count > 0 ? program.Strokes[0].Terms : null), spindle.SpinUpSeconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
+        lines.Line([.. PowerZero(program.Profile)]);
         return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
 
@@ -96,7 +97,7 @@ public static class DmcPost
     {
         var (x, y, z) = frame.Of(stroke.Start);
         var isHeld = program.Profile.Height is not null;
-        var lines = new ProgramLines().Line(DmcFormat.Text($"x={x}"), DmcFormat.Text($"y={y}"), $"JS{Rapid}")
+        var lines = new ProgramLines().Line(Ready(program.Profile, stroke.Terms)).Line(DmcFormat.Text($"x={x}"), DmcFormat.Text($"y={y}"), $"JS{Rapid}")
             .Line([.. isHeld ? (string[])[DmcFormat.Text($"z=oz{z:+0;-0}"), PlungeAssignment(program.Profile, stroke.Terms, ownPlunges), "JS" + Down] : ["JS#TOOLON"], Wait(stroke.Terms?.PierceSeconds ?? 0.0)]);
         foreach (var sequence in stroke.Sequences)
         {
@@ -146,12 +147,12 @@ public static class DmcPost
         .. options.Unattended ? UnattendedProgram.Lines(program.Profile, program.LongestWait) : [],
     ];
 
-    private static IReadOnlyList<string> End(MotionProgram program, DmcPostOptions options) => new ProgramLines().Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
+    private static IReadOnlyList<string> End(MotionProgram program, DmcPostOptions options) => new ProgramLines().Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line(ToolOff(program.Profile)).Line(RestOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
 
     /// <summary>Without HX0 the controller would continue after the refused command, from a position that the program does not expect (galil-dmc.md
     /// C.3).</summary>
     private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program, DmcPostOptions options) =>
-        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line("HX0").Line("EN").Lines;
+        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : RestOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line("HX0").Line("EN").Lines;
 }
 
 /// <summary>The parts of a program in one way of posting; packing them into chunks is the same for all.</summary>

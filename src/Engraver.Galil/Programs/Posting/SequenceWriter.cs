@@ -18,20 +18,20 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     /// <param name="check">Statement before each test, or empty.</param>
     public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(DmcFormat.Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
 
-    /// <summary>Rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not burn a spot
+    /// <summary>Outputs of the operation, rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not burn a spot
     /// meanwhile.</summary>
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
-        var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
+        var lines = new ProgramLines().Line(spelling.Ready(stroke.Terms)).Line(spelling.Rapid(frame.Of(stroke.Start)));
         for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn(frame.Of(stroke.Start), stroke.Terms) : []);
         return lines.Line([Wait(stroke.Terms?.DwellSeconds ?? 0.0), .. spelling.ToolOff]).Lines;
     }
 
-    /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, and in a sequence
+    /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, one that sets outputs, and in a sequence
     /// longer than the buffer a wait before each line.</summary>
     public static int MaxLines(MotionStroke stroke)
     {
-        var lines = 2;
+        var lines = stroke.Terms is { SetsOutputs: true } ? 3 : 2;
         for (var i = 0; i < stroke.Sequences.Count; i++) lines += stroke.Sequences[i].Segments.Count is > SentBeforeStart and var many ? 3 + (2 * many) : 2 + stroke.Sequences[i].Segments.Count;
         return lines;
     }
@@ -91,7 +91,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 /// <param name="ToolOn">The statements that bring the tool to a position in the controller's coordinates; empty for a dry run of a switched tool.
 /// With its wait before the first move.</param>
 /// <param name="ToolOff">The statements that raise the tool or switch it off.</param>
-internal sealed record SequenceSyntax(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, StrokeTerms?, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
+/// <param name="Ready">The statements before a rapid that set the outputs of the operation.</param>
+internal sealed record SequenceSyntax(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, StrokeTerms?, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff, Func<StrokeTerms?, string[]> Ready)
 {
     /// <summary>The statements of the profile's tool drive: the output with its settle time, or the subprograms that move the axis.</summary>
     /// <param name="ownPlunges">Strokes have plunge feeds of their own.</param>

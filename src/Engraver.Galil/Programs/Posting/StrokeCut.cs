@@ -22,7 +22,7 @@ internal static class StrokeCut
     private static (MotionStroke First, MotionStroke Tail) Between(MotionStroke stroke, IEnumerable<VectorSequence> first, IEnumerable<VectorSequence> rest)
     {
         var head = stroke with { Sequences = [.. first], Terms = stroke.Terms is { } terms ? terms with { DwellSeconds = 0.0 } : null };
-        return (head, stroke with { Start = head.Sequences[^1].End, Sequences = [.. rest] });
+        return (head, stroke with { Start = head.Sequences[^1].End, Sequences = [.. rest], Terms = stroke.Terms is { } tail ? tail with { ReadySeconds = 0.0 } : null });
     }
 
     private static (VectorSequence Head, VectorSequence Tail) Inside(VectorSequence sequence, int room)

@@ -23,7 +23,7 @@ internal static class UnattendedProgram
     public static IReadOnlyList<string> Lines(MachineProfile profile, double wait)
     {
         var stop = StopEverything(profile);
-        var spindle = profile.Height is null ? string.Empty : SpindleOff(profile);
+        var spindle = profile.Height is null ? string.Empty : RestOff(profile);
         const string Still = ResidentProgram.Variables.StandstillTicks;
         return new ProgramLines()
             .Line("#WDOG").Line("#WLIVE").Line(WatchdogProgram.StorePosition(profile))

@@ -19,7 +19,7 @@ public static class CommandErrorProgram
     [
         Subprograms.CommandError,
         Subprograms.StopEverything(profile),
-        .. SpindleOff(profile),
+        .. RestOff(profile),
         $"{ResidentProgram.Variables.ErrorLine}=_ED;{ResidentProgram.Variables.ErrorCode}=_TC",
         $"MG \"CMDERR\",{ResidentProgram.Variables.ErrorLine},{ResidentProgram.Variables.ErrorCode}",
         "ZS",
@@ -31,6 +31,6 @@ public static class CommandErrorProgram
 
     /// <summary>While the host is connected, it raises the tool and then switches the spindle off. After a trip of the watchdog the refused line was the one
     /// that raises the tool, and no host is connected.</summary>
-    private static IReadOnlyList<string> SpindleOff(MachineProfile profile) =>
-        profile is { Height: not null, Spindle: not null } ? [$"IF ({ResidentProgram.Variables.WatchdogTripped}<>0)", Subprograms.SpindleOff(profile), "ENDIF"] : [];
+    private static IReadOnlyList<string> RestOff(MachineProfile profile) =>
+        profile.Height is not null && Subprograms.RestOff(profile) is { Length: > 0 } off ? [$"IF ({ResidentProgram.Variables.WatchdogTripped}<>0)", off, "ENDIF"] : [];
 }

@@ -16,12 +16,12 @@ internal static class PositionErrorProgram
     [
         "#POSERR",
         Subprograms.StopEverything(profile),
-        .. SpindleOff(profile),
+        .. RestOff(profile),
         DmcFormat.Text($"{ResidentProgram.Variables.ErrorCode}={Code}"),
         "ZS",
         "JP#HALT",
     ];
 
     /// <summary>The tool is not raised, because the positions of the axes are unknown; therefore the spindle must not turn either.</summary>
-    private static IReadOnlyList<string> SpindleOff(MachineProfile profile) => profile is { Height: not null, Spindle: not null } ? [Subprograms.SpindleOff(profile)] : [];
+    private static IReadOnlyList<string> RestOff(MachineProfile profile) => profile.Height is not null && Subprograms.RestOff(profile) is { Length: > 0 } off ? [off] : [];
 }

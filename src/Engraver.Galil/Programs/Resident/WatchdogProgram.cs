@@ -37,12 +37,12 @@ public static class WatchdogProgram
             .Line($"JP#WLIVE,{ActivityCondition(profile)}")
             .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StandstillTickLimit}")
             .Line(Trip(profile, ToolForgotten))
-            .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
+            .Line(profile.Height is null ? Subprograms.RestOff(profile) : string.Empty)
             .Line("MG \"STANDSTILL\"")
             .Line(profile.Height is null ? "EN" : "JP#WUP")
             .Line("#WLOST")
             .Line(Trip(profile, HeartbeatLost))
-            .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
+            .Line(profile.Height is null ? Subprograms.RestOff(profile) : string.Empty)
             .Line("MG \"HOST LOST\"")
             .Line(profile.Height is null ? "EN" : "JP#WUP")
             .Lines.Concat(RaiseLines(profile)).ToList();
@@ -67,7 +67,7 @@ public static class WatchdogProgram
         .Line("JP#WUR," + Subprograms.IsUp(profile, Subprograms.ClearanceHeight))
         .Line(Subprograms.HeightLine(profile, profile.RapidSpeed(z), Subprograms.ClearanceHeight))
         .Line("#WUR")
-        .Line(Subprograms.SpindleOff(profile))
+        .Line(Subprograms.RestOff(profile))
         .Line("EN")
         .Lines;
 

@@ -30,7 +30,7 @@ internal sealed class OperationJudge
                 _passes.Add((pass.Operation, pass.Pass));
             }
 
-            strokes.Add(new JudgedStroke(index, moves[from..row]));
+            strokes.Add(new JudgedStroke(index, moves[from..row]) { Outputs = job.Settings.CuttingMachine.OperationOutputs, OutputsOn = OperationPlan.OutputsOf(pass.Operation, job.Settings.Machine) });
         }
 
         _judge = new PassJudge(strokes, own => hasHeights ? new HeightJudge(own, 0.0, null, tolerances) : new TraceJudge([.. own.Select(move => move.Segment)], tolerances), Math.Max(Near, 2.0 * tolerances.Coverage));

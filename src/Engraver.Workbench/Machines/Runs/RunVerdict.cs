@@ -27,6 +27,8 @@ internal static class RunVerdict
             return Deviated(result, Wording.Get("RunVerdict.FollowingErrorTooLarge", NumberText.Rounded(following, 4), NumberText.Rounded(lag, 4)), judgement.FollowingAt);
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
             return Deviated(result, Wording.Get("RunVerdict.NotCut", NumberText.Rounded(missing, 4)), judgement.MissingAt);
+        if (judgement.Operations.FirstOrDefault(operation => operation.OutputFaults is not null) is { } wrong)
+            return Deviated(result, Wording.Get("RunVerdict.WrongOutputs", wrong.Name.Length > 0 ? wrong.Name : wrong.Id, wrong.OutputFaults), null);
         return result;
     }
 
