@@ -122,6 +122,7 @@ public static class OperationFile
         var material = file.Text("material");
         if (tools.ValueKind != JsonValueKind.String) return WithMaterial(ToolsIn(file, lines, findings), file, lines, material, file, findings);
         var name = tools.GetString()!;
+        if (file.Find("materials") is { } materials) file.Invalid("materials", OperationFields.Shown(materials), Wording.Get("OperationFile.InLibrary", name));
         var (text, failure) = library(name);
         if (text is null)
         {
@@ -274,7 +275,7 @@ public static class OperationFile
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
         }
 
-        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "ramp"])
+        foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "ramp", "plunge"])
         {
             if (of.Has(field) && operation.Depth is null) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
         }

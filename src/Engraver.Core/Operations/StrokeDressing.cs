@@ -108,7 +108,7 @@ internal sealed class StrokeDressing
         var helix = HelixTo(index, LeadInto(dressed.Moves[0]) ?? dressed.Moves[0], before, depth);
         var descent = helix ?? DescentTo(index, contour, before, depth);
         if (helix is null) dressed.Enter(descent);
-        var hasLeads = AddLeads(dressed, index);
+        var hasLeads = AddLeads(dressed, index, isInSlot: helix is null && descent.Count > 0 && before > Operation.StartDepth);
         if (helix is not null) dressed.Enter(helix);
         var pieces = PiecesOf(dressed.Moves);
         foreach (var move in pieces.SelectMany(piece => piece)) Append(table, move);
@@ -130,15 +130,16 @@ internal sealed class StrokeDressing
         return Math.Min(Operation.Overcut, length);
     }
 
-    private bool AddLeads(DressedStroke dressed, int index)
+    /// <param name="isInSlot">A ramp begins in the slot that the pass before has cut: beside it there is material, and no lead.</param>
+    private bool AddLeads(DressedStroke dressed, int index, bool isInSlot)
     {
         if (Operation is { LeadIn: null, LeadOut: null }) return false;
-        var into = LeadInto(dressed.Moves[0]);
+        var into = isInSlot ? null : LeadInto(dressed.Moves[0]);
         var outOf = Operation.LeadOut is { } leadOut ? _lead.OutOf(leadOut, dressed.Moves[^1]) : null;
         if (into is { } first) dressed.Enter([first]);
         if (outOf is { } last) dressed.Leave([last]);
         var (knownIn, knownOut) = _leads.GetValueOrDefault(index, (double.PositiveInfinity, double.PositiveInfinity));
-        _leads[index] = (Math.Min(knownIn, Of(into)), Math.Min(knownOut, Of(outOf)));
+        _leads[index] = (isInSlot ? knownIn : Math.Min(knownIn, Of(into)), Math.Min(knownOut, Of(outOf)));
         return into is not null || outOf is not null;
 
         static double Of(StrokeMove? lead) => lead is { } move ? StrokeLead.LengthOf(move.Segment) : 0.0;

@@ -83,6 +83,8 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }, { "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }""", "OPR0003", "operations", 2)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "length": 2} }""", "OPR0004", "operations[0].leadIn.radius", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "radius": 2, "direction": "tangential"} }""", "OPR0003", "operations[0].leadIn.direction", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "plunge": 30 }""", "OPR0003", "operations[0].plunge", 3)]
+    [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "outputs": [""] }""", "OPR0003", "operations[0].outputs", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "ramp": {"angle": 3} }""", "OPR0003", "operations[0].ramp", 3)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "depth": 1, "ramp": {} }""", "OPR0004", "operations[0].ramp.angle", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": 1, "ramp": {"angle": 3, "radius": 1} }""", "OPR0003", "operations[0].ramp.radius", 3)]
@@ -142,6 +144,8 @@ public class OperationFileTests
         Assert.Equal(((double?)600.0, null), (Tool("\"material\": \"pine\",").Feed, Tool("").Plunge));
         var unknown = Assert.Single(OperationFile.Read(File("\"material\": \"steel\","), _ => (library, "")).Diagnostics);
         Assert.Equal(("OPR0003", "material", "steel", "oak, pine"), (unknown.Id, unknown.Facts[0], unknown.Facts[1], unknown.Facts[2]));
+        var elsewhere = Assert.Single(OperationFile.Read(File("\"materials\": [],"), _ => (library, "")).Diagnostics);
+        Assert.Equal(("OPR0003", "materials"), (elsewhere.Id, elsewhere.Facts[0]));
     }
 
     [Fact]

@@ -200,6 +200,7 @@ public class ProfileDressingTests
             var before = previous.GetValueOrDefault(pass.Stroke, 0.5);
             previous[pass.Stroke] = pass.Depth;
             Assert.All(stroke.Moves.Where(move => move.Role == StrokeRole.Cut), move => Assert.Equal((-pass.Depth, -pass.Depth), (move.StartZ, move.EndZ)));
+            if (pass.Pass is 1 or 2) Assert.NotEqual(StrokeRole.Lead, stroke.Moves[0].Role); // a ramp in the slot has none
             if (pass.Pass == 3) Assert.Empty(ramp);
             if (pass.Pass == 3) continue;
             Assert.Equal((-before, -pass.Depth), (ramp[0].StartZ, ramp[^1].EndZ));
