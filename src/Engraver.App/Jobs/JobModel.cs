@@ -52,9 +52,9 @@ public sealed class JobModel : ObservableObject
         {
             new(Text.Get("Job.Start"), string.Create(CultureInfo.InvariantCulture, $"{settings.Start.X:0.###}, {settings.Start.Y:0.###}")),
             new(Text.Get("Job.Order"), Text.Get("StrokeOrder." + settings.Order)),
-            new(Text.Get("Job.Feed"), Text.Get("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute)),
-            new(Text.Get("Job.Rapid"), Text.Get("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)),
         };
+        if (settings.Operations is null) figures.Add(new(Text.Get("Job.Feed"), Text.Get("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute))); // each operation has its own
+        figures.Add(new(Text.Get("Job.Rapid"), Text.Get("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)));
         if (_desk.Derived.Sequence is { } sequence)
         {
             figures.Add(new(Text.Get("Job.Contours"), Text.Get("Job.ContourCount", sequence.Contours, sequence.Closed, sequence.Open)));

@@ -230,7 +230,7 @@ public static class JobReportPage
             .. SettingValues.Of(report.Job.Recorded).Where(one => one.Key != SettingTable.Operations.Key).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
             .. OperationSummary.Of(report.Job).Select(one => new PagePair(Wording.Get("JobReport.Operation", one.Operation.Title), Wording.Get("JobReport.OperationFacts", one.Operation.Kind, one.Tool.Title, one.Operation.Depth ?? 0.0, one.Feed, one.Curves, one.Strokes, one.Length), "operation." + one.Operation.Id)),
             .. report.Job.Fonts.Select((font, i) => new PagePair(Wording.Get("JobReport.Font", font.Requested), Wording.Get("JobReport.FontTaken", font.Font, font.Sha256), string.Create(CultureInfo.InvariantCulture, $"font.{i}"))),
-            new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
+            .. report.Job.Settings.Operations is null ? [new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}"))] : (PagePair[])[],
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X.CountsPerMillimetre:0.###} × {machine.Scale.Y.CountsPerMillimetre:0.###}")),
             new PagePair(Wording.Get("JobReport.ProfileHash"), JobIdentity.OfProfile(machine), "profile", Style: "code"),
