@@ -88,6 +88,10 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NoRamp = new("OPR0054", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule WidthNotCut = new("OPR0060", Severity.Error, "operation", "width", "count", "tool", "least", "most");
+
+    public static readonly DiagnosticRule WidthVaries = new("OPR0061", Severity.Error, "operation", "count");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -95,5 +99,6 @@ public static class OperationRules
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
+        WidthNotCut, WidthVaries,
     ];
 }

@@ -40,6 +40,13 @@ public sealed record Operation
     /// <summary>Final depth; null on a machine without a tool axis.</summary>
     public double? Depth { get; init; }
 
+    /// <summary>The depth below <see cref="StartDepth"/> follows from the width of each line: the groove is as wide as the line. <see cref="Depth"/> is then null;
+    /// operations for each width are made of this one.</summary>
+    public bool DepthByWidth { get; init; }
+
+    /// <summary>Id of the operation from which this one was made for one width; empty otherwise.</summary>
+    public string DividedFrom { get; init; } = "";
+
     /// <summary>Maximum depth that one pass removes; null: one pass.</summary>
     public double? DepthPerPass { get; init; }
 
