@@ -1,7 +1,7 @@
 namespace Engraver.TestKit;
 
-/// <summary>A drawing of lineweights and widths. Layer THICK has 0.5 mm, layer 0 the default. Block INNER has a line by block; block OUTER has one too, an INNER by
-/// block and a line of 0.7 mm; block WIDE has a polyline 1.2 wide, block NAMED a text by block.</summary>
+/// <summary>A drawing of lineweights and widths. Layer THICK has 0.5 mm, layer 0 the default. Block INNER has a line by block; block OUTER has one too, an
+/// INNER by block and a line of 0.7 mm; block WIDE has a polyline 1.2 wide, block NAMED a text by block.</summary>
 public static class LineweightDrawing
 {
     public static DxfText Of((int Code, object Value)[] entities, int insUnits = 4, int? defaultWeight = null) => new DxfText()

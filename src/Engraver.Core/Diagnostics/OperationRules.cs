@@ -92,6 +92,8 @@ public static class OperationRules
 
     public static readonly DiagnosticRule WidthVaries = new("OPR0061", Severity.Error, "operation", "count");
 
+    public static readonly DiagnosticRule BeamOnAxis = new("OPR0062", Severity.Error, "operation", "field");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -99,6 +101,6 @@ public static class OperationRules
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
         StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
-        WidthNotCut, WidthVaries,
+        WidthNotCut, WidthVaries, BeamOnAxis,
     ];
 }

@@ -139,8 +139,8 @@ public sealed record Drawing(
         return Effective(LineStyles[entity.LineStyle].Linetype, entity.Layer);
     }
 
-    /// <summary>Width of the line of an entity, millimetres: of a polyline its constant width, if it has one, otherwise its effective lineweight. NaN for a width
-    /// that varies.</summary>
+    /// <summary>Width of the line of an entity, millimetres: of a polyline its constant width, if it has one, otherwise its effective lineweight. NaN for a
+    /// width that varies.</summary>
     public double LineWidthOf(int entityIndex)
     {
         ref var entity = ref Entities[entityIndex];

@@ -5,8 +5,8 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Operations;
 
-/// <summary>Compares the grooves of operations whose depth follows from the width of the lines with these widths, computed from the depth of every cut: shares no
-/// method with <see cref="WidthDivision"/>. Whether every curve of a width is cut is checked by <see cref="OperationCheck"/>.</summary>
+/// <summary>Compares the grooves of operations whose depth follows from the width of the lines with these widths, computed from the depth of every cut: shares
+/// no method with <see cref="WidthDivision"/>. Whether every curve of a width is cut is checked by <see cref="OperationCheck"/>.</summary>
 public static class LineWidthCheck
 {
     /// <summary>Rounding of the width of a groove, mm.</summary>
@@ -44,7 +44,7 @@ public static class LineWidthCheck
     {
         var row = drawing.Entities[entity];
         var style = drawing.LineStyles[row.LineStyle];
-        if (!style.Width.Equals(0.0)) return style.Width * drawing.Unit.MillimetresPerUnit;
+        if (!style.Width.Equals(0.0)) return drawing.Scale.ToMillimetres(style.Width);
         int[] stated = [style.Lineweight, style.Lineweight == Lineweight.ByLayer ? drawing.Layers[row.Layer].Lineweight : Lineweight.Default, drawing.DefaultLineweight];
         return Array.Find(stated, weight => weight >= 0) * 0.01;
     }

@@ -13,8 +13,8 @@ public sealed record OperationAssignment
     /// <summary>The operations that are run, in their order.</summary>
     public required IReadOnlyList<OperationPart> Parts { get; init; }
 
-    /// <summary>The operations of the plan whose depth follows from the width of the lines, with the entities that they take. <see cref="Parts"/> has one operation
-    /// for each width instead.</summary>
+    /// <summary>The operations of the plan whose depth follows from the width of the lines, with the entities that they take. <see cref="Parts"/> has one
+    /// operation for each width instead.</summary>
     public IReadOnlyList<(Operation Operation, IReadOnlyList<int> Entities)> ByWidth { get; private init; } = [];
 
     /// <summary>Entities that no operation takes, each once.</summary>
@@ -164,7 +164,8 @@ public sealed record OperationAssignment
             foreach (var fault in SpeedFaultsOf(operation, plan, machine, limits)) yield return fault;
             if (machine.Height is null && operation.Kind == OperationKind.Drill) yield return OperationRules.NoToolAxis.At(default, operation.Title, "drill");
             else if (machine.Height is null && (operation.DepthByWidth || operation.Depth is not null)) yield return OperationRules.NoToolAxis.At(default, operation.Title, "depth");
-            if (machine.Height is not null && operation is { Depth: null, DepthByWidth: false }) yield return OperationRules.NoDepth.At(default, operation.Title);
+            if (machine.Height is not null && operation.Power is not null) yield return OperationRules.BeamOnAxis.At(default, operation.Title, "power");
+            else if (machine.Height is not null && operation is { Depth: null, DepthByWidth: false }) yield return OperationRules.NoDepth.At(default, operation.Title);
         }
 
         if (active.Count == 0) yield return OperationRules.NothingOn.At(default, tool == 0 ? "*" : FactText.Of(tool));

@@ -42,7 +42,7 @@ public static class OperationFile
 
     private static readonly string[] s_operationFields =
     [
-        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "direction", "order",
         "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
@@ -220,6 +220,7 @@ public static class OperationFile
             Feed = Speed(of, "feed"),
             Plunge = Speed(of, "plunge"),
             Spindle = Speed(of, "spindle"),
+            Power = of.Number("power", 0.0, 100.0, includesLowest: false),
             StartDepth = of.Number("startDepth", 0.0, LargestLength, includesLowest: true) ?? 0.0,
             Depth = byWidth ? null : of.Number("depth", 0.0, LargestLength, includesLowest: false),
             DepthByWidth = byWidth,
@@ -278,6 +279,11 @@ public static class OperationFile
             of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
         }
 
+        foreach (var field in ((string[])["spindle", "depth"]).Where(field => operation.Power is not null && of.Has(field)))
+        {
+            of.Invalid(of.PathOf("power"), OperationFields.Shown(of.Find("power")!.Value), Wording.Get("OperationFile.NotWith", field));
+        }
+
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
@@ -291,7 +297,7 @@ public static class OperationFile
 
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
-        ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
+        ("power", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
         ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];

@@ -36,8 +36,8 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     /// <summary>Speed straight down, mm/min; null on a machine without a tool axis.</summary>
     public double? PlungeOf(Operation operation, MachineProfile machine) => machine.Height is { } drive ? operation.Plunge ?? ToolOf(operation).Plunge ?? drive.PlungeMmPerMinute : null;
 
-    /// <summary>Turns per minute; null where neither operation nor tool states it.</summary>
-    public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
+    /// <summary>Turns per minute; null where neither operation nor tool states it, and for a beam whose power the operation states.</summary>
+    public double? SpindleOf(Operation operation) => operation.Power is null ? operation.Spindle ?? ToolOf(operation).Spindle : null;
 
     /// <summary>The machine of a job with these operations, which replace the cutting depth, the depth of a pass and the plunge feed of its
     /// profile; its feeds are the highest of the operations, of which each stroke has its own. Applied to

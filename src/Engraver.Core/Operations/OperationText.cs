@@ -58,6 +58,7 @@ internal static class OperationText
         WriteNumber(writer, "feed", operation.Feed);
         WriteNumber(writer, "plunge", operation.Plunge);
         WriteNumber(writer, "spindle", operation.Spindle);
+        WriteNumber(writer, "power", operation.Power);
         WriteNumber(writer, "startDepth", operation.StartDepth == 0.0 ? null : operation.StartDepth);
         if (operation.DepthByWidth) writer.WriteString("depth", OperationFile.LineWidth);
         WriteNumber(writer, "depth", operation.Depth);

@@ -52,4 +52,19 @@ public sealed class OperationContentRunTests : IDisposable
         Assert.Equal(["v@0.25 1 0.125", "v@0.35 2 0.175", "v@0.5 3 0.25", "v@0.7 1 0.35"], report.GetProperty("operations").EnumerateArray().Select(one => FormattableString.Invariant($"{one.GetProperty("id").GetString()} {one.GetProperty("curves").GetInt32()} {one.GetProperty("depth").GetDouble()}")));
         Assert.All(report.GetProperty("operations").EnumerateArray(), one => Assert.Equal(one.GetProperty("depth").GetDouble(), Assert.Single(one.GetProperty("measured").GetProperty("depths").EnumerateArray()).GetDouble(), 0.0015));
     }
+
+    [Theory]
+    [InlineData("run")]
+    [InlineData("plan")]
+    public async Task The_power_of_a_beam_is_refused_before_anything_moves_and_only_by_a_run(string verb)
+    {
+        File.WriteAllText(_folder.PathOf("p.json"), """{ "version": "1.0", "tools": [{"number": 1, "diameter": 0.2}], "operations": [{ "id": "mark", "kind": "engrave", "select": "rest", "tool": 1, "power": 40 }] }""");
+        string[] run = verb == "run" ? ["--connect", "sim:", "--journal", _folder.PathOf("p.jsonl"), "--accept-errors"] : [];
+
+        var done = await CliRun.RunAsync([verb, SampleDrawing.PathOf("gasket"), "--operations", _folder.PathOf("p.json"), "--json", .. run]);
+
+        Assert.Equal((verb == "run", verb == "run" ? ExitCode.DrawingError : ExitCode.Done), (done.Error.Contains("OPR0037", StringComparison.Ordinal), done.ExitCode));
+        Assert.Equal(verb == "run" ? "refused" : "40", verb == "run" ? JsonText.Of(done).GetProperty("outcome").GetString() : JsonText.Of(done).GetProperty("operations")[0].GetProperty("power").ToString());
+        Assert.False(File.Exists(_folder.PathOf("p.jsonl")));
+    }
 }
