@@ -22,8 +22,8 @@ public sealed class OperationRow(OperationPlan plan, Operation operation, Operat
     /// <summary>Kind and tool.</summary>
     public string Detail { get; } = Text.Get("Operations.Detail", Text.Get("OperationKind." + operation.Kind), plan.ToolOf(operation).Title);
 
-    /// <summary>Final depth, mm; empty on a machine without a tool axis.</summary>
-    public string Depth => operation.Depth?.ToString("0.###", CultureInfo.InvariantCulture) ?? "";
+    /// <summary>Final depth, mm, or that it follows from the width of each line; empty on a machine without a tool axis.</summary>
+    public string Depth => operation.DepthByWidth ? Text.Get("Operations.ByWidth") : operation.Depth?.ToString("0.###", CultureInfo.InvariantCulture) ?? "";
 
     /// <summary>Number of curves that it takes; empty if that is not known.</summary>
     public string Curves => summary?.Curves.ToString(CultureInfo.InvariantCulture) ?? "";

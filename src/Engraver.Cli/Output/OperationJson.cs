@@ -14,6 +14,10 @@ namespace Engraver.Cli.Output;
 /// <param name="Uncut">Places that its tool does not reach.</param>
 internal sealed record OperationJson(string Id, string Name, string Kind, int Tool, double Feed, double? Plunge, double? Depth, int Curves, int Strokes, int Passes, double Length, int Uncut)
 {
+    /// <summary>Power of a beam, percent; not written where none is stated.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public double? Power { get; init; }
+
     /// <summary>What was measured; not written where nothing was.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public MeasuredJson? Measured { get; init; }
@@ -24,6 +28,7 @@ internal sealed record OperationJson(string Id, string Name, string Kind, int To
         ? null
         : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, one.Operation.KindWord, one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut)
         {
+            Power = one.Operation.Power,
             Measured = measured.FirstOrDefault(found => found.Id == one.Operation.Id) is { } found ? new MeasuredJson(found.MaxDeviation, found.MissingLength, found.ExtraLength, found.Feed, found.Depths) : null,
         })];
 

@@ -217,6 +217,12 @@ internal sealed class RunVerb
             return (ReportNotStarted(job, NotStartedReason(job)), code);
         }
 
+        if (job.RunRefusals is { Count: > 0 } refused)
+        {
+            _host.Report(parsed, job.Drawing.FileName, refused);
+            return (ReportNotStarted(job, Wording.Get("Run.NotOnMachine")), ExitCode.DrawingError);
+        }
+
         if (fit is null || program.SegmentCount == 0) return (ReportNotStarted(job, job.NoProgramReason), code);
         return (await RunOnMachineAsync(parsed, job, fit, strategy, turn, stop).ConfigureAwait(false), code);
     }

@@ -92,12 +92,18 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NoHelix = new("OPR0055", Severity.Warning, "operation", "count", "x", "y");
 
+    public static readonly DiagnosticRule WidthNotCut = new("OPR0060", Severity.Error, "operation", "width", "count", "tool", "least", "most");
+
+    public static readonly DiagnosticRule WidthVaries = new("OPR0061", Severity.Error, "operation", "count");
+
+    public static readonly DiagnosticRule BeamOnAxis = new("OPR0062", Severity.Error, "operation", "field");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead, OtherOutputs,
-        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix,
+        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix, WidthNotCut, WidthVaries, BeamOnAxis,
     ];
 }

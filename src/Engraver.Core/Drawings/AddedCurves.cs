@@ -8,6 +8,17 @@ public sealed class AddedCurves(Drawing drawing)
     private readonly List<DrawingEntity> _entities = [];
     private readonly List<DrawingPart> _parts = [];
     private readonly List<RationalCurve> _curves = [];
+    private readonly List<LineStyle> _styles = [.. drawing.LineStyles];
+
+    /// <summary>Number of the line style that states only a lineweight.</summary>
+    public int StyleOf(int lineweight)
+    {
+        var style = LineStyle.ByLayer with { Lineweight = lineweight };
+        var number = _styles.IndexOf(style);
+        if (number >= 0) return number;
+        _styles.Add(style);
+        return _styles.Count - 1;
+    }
 
     /// <summary>Adds an entity and returns its index in the drawing of <see cref="ToDrawing"/>.</summary>
     /// <param name="entity">The position of its parts is filled in here.</param>
@@ -27,5 +38,5 @@ public sealed class AddedCurves(Drawing drawing)
 
     public Drawing ToDrawing() => _entities.Count == 0
         ? drawing
-        : drawing with { Entities = drawing.Entities.With([], _entities), Parts = drawing.Parts.With([], _parts), Curves = _curves.Count == 0 ? drawing.Curves : [.. drawing.Curves, .. _curves] };
+        : drawing with { Entities = drawing.Entities.With([], _entities), Parts = drawing.Parts.With([], _parts), LineStyles = _styles.Count == drawing.LineStyles.Count ? drawing.LineStyles : _styles, Curves = _curves.Count == 0 ? drawing.Curves : [.. drawing.Curves, .. _curves] };
 }

@@ -38,6 +38,9 @@ public sealed record Drawing(
     /// <summary>$LTSCALE: scale of the patterns of all linetypes.</summary>
     public double LinetypeScale { get; init; } = 1.0;
 
+    /// <summary>Lineweight where "default" is stated, hundredths of a millimetre.</summary>
+    public int DefaultLineweight { get; init; } = Lineweight.UsualDefault;
+
     /// <summary>The different line styles of the entities, <see cref="LineStyle.ByLayer"/> first.</summary>
     public IReadOnlyList<LineStyle> LineStyles { get; init; } = [LineStyle.ByLayer];
 
@@ -134,6 +137,17 @@ public sealed record Drawing(
     {
         ref var entity = ref Entities[entityIndex];
         return Effective(LineStyles[entity.LineStyle].Linetype, entity.Layer);
+    }
+
+    /// <summary>Width of the line of an entity, millimetres: of a polyline its constant width, if it has one, otherwise its effective lineweight. NaN for a
+    /// width that varies.</summary>
+    public double LineWidthOf(int entityIndex)
+    {
+        ref var entity = ref Entities[entityIndex];
+        var style = LineStyles[entity.LineStyle];
+        if (style.Width != 0.0) return Scale.ToMillimetres(style.Width);
+        var weight = style.Lineweight == Lineweight.ByLayer ? Layers[entity.Layer].Lineweight : style.Lineweight;
+        return (weight < 0 ? DefaultLineweight : weight) / 100.0; // outside blocks there is no insert
     }
 
     /// <summary>The effective linetype of a point.</summary>

@@ -34,7 +34,10 @@ public static class DrawingEdit
         var changes = moved.SelectMany(index => Parts(drawing, index)).Select(part => (part, curves.Transformed(drawing.Parts[part], map))).ToList();
         edited = drawing;
         if (!changes.TrueForAll(change => change.Item2.InRange) || !curves.AreInRange) return false;
-        edited = drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn(), Inserts = new EditedInserts(drawing, moved).Moved(map) };
+        var styles = new EditedStyles(drawing, map.Scale);
+        List<(int, DrawingEntity)> widened = [.. moved.Select(index => (index, drawing.Entities[index] with { LineStyle = styles.Scaled(drawing.Entities[index].LineStyle) })).Where(change => change.Item2.LineStyle != drawing.Entities[change.index].LineStyle)];
+        var rows = widened.Count == 0 ? drawing.Entities : drawing.Entities.With(widened, []);
+        edited = drawing with { Entities = rows, Parts = drawing.Parts.With(changes, []), LineStyles = styles.ToList(), Curves = curves.ToColumn(), Inserts = new EditedInserts(drawing, moved).Moved(map) };
         return true;
     }
 
@@ -47,6 +50,7 @@ public static class DrawingEdit
         var parts = new List<DrawingPart>();
         var handle = drawing.HighestHandle();
         var curves = new EditedCurves(drawing);
+        var styles = new EditedStyles(drawing, map.Scale);
         IReadOnlyList<int> copied = [.. entities.Distinct()];
         var inserts = new EditedInserts(drawing, copied).Copied(map, out var copyOf);
         foreach (var index in copied)
@@ -56,12 +60,13 @@ public static class DrawingEdit
             foreach (var part in Parts(drawing, index)) parts.Add(curves.Transformed(drawing.Parts[part], map) with { Entity = drawing.Entities.Count + copies.Count });
             entity.FirstPart = drawing.Parts.Count + parts.Count - entity.PartCount;
             entity.Handle = ++handle;
+            entity.LineStyle = styles.Scaled(entity.LineStyle);
             copies.Add(entity);
         }
 
         edited = drawing;
         if (!parts.TrueForAll(part => part.InRange) || !curves.AreInRange) return false;
-        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), Curves = curves.ToColumn(), Inserts = inserts };
+        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), LineStyles = styles.ToList(), Curves = curves.ToColumn(), Inserts = inserts };
         return true;
     }
 

@@ -9,6 +9,9 @@ public sealed record Layer(string Name, bool On, bool Frozen, bool Plot)
     /// <summary>Linetype of content "by layer": index into <see cref="Drawing.Linetypes"/>.</summary>
     public int Linetype { get; init; } = Drawings.Linetype.Continuous;
 
+    /// <summary>Lineweight of content "by layer": hundredths of a millimetre, or <see cref="Lineweight.Default"/>.</summary>
+    public int Lineweight { get; init; } = Drawings.Lineweight.Default;
+
     /// <summary>Its objects cannot be changed until it is unlocked; they are cut, shown and snapped to like any other.</summary>
     public bool Locked { get; init; }
 

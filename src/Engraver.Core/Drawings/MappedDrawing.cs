@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A whole drawing under a similarity of the plane: curves, texts, points and inserts, hidden ones and those on locked layers too. Heights and
-/// patterns of linetypes are scaled.</summary>
+/// <summary>A whole drawing under a similarity of the plane: curves, texts, points and inserts, hidden ones and those on locked layers too. Heights,
+/// patterns of linetypes and widths of polylines are scaled, lineweights are not.</summary>
 public static class MappedDrawing
 {
     /// <returns>False when a coordinate would leave the range of a drawing, or a circle or arc would have no radius; then the drawing is unchanged.</returns>
@@ -25,7 +25,7 @@ public static class MappedDrawing
         PlacedPoint[] points = [.. drawing.Points.Select(point => point.Transformed(map))];
         PlacedInsert[] inserts = [.. drawing.Inserts.Select(insert => insert.Moved(map))];
         if (!Array.TrueForAll(texts, text => PlacedPart.InRange(text.Position)) || !Array.TrueForAll(points, point => PlacedPart.InRange(point.Position))) return false;
-        mapped = drawing with { Parts = parts, Curves = curves, Texts = texts, Points = points, Inserts = inserts, LinetypeScale = drawing.LinetypeScale * map.Scale };
+        mapped = drawing with { Parts = parts, Curves = curves, Texts = texts, Points = points, Inserts = inserts, LinetypeScale = drawing.LinetypeScale * map.Scale, LineStyles = [.. drawing.LineStyles.Select(style => style with { Width = style.Width * map.Scale })] };
         return true;
     }
 }

@@ -58,6 +58,9 @@ public sealed record PlacedText
     /// <summary>As stated, "by block" resolved; by layer where none is stated.</summary>
     public DrawingColour Colour { get; init; }
 
+    /// <summary>Lineweight as stated, hundredths of a millimetre or one of <see cref="Drawings.Lineweight"/>; "by block" resolved.</summary>
+    public int Lineweight { get; init; } = Drawings.Lineweight.ByLayer;
+
     /// <summary>Index into <see cref="Drawing.BlockPaths"/>; 0 for a text of model space.</summary>
     public int BlockPath { get; init; }
 

@@ -108,6 +108,7 @@ internal sealed class DrawingImport
             Linetypes = _linetypes.ToLinetypes(),
             LinetypeScale = _header.LinetypeScale,
             LineStyles = _lineStyles.Styles,
+            DefaultLineweight = _header.DefaultLineweight,
             Blocks = _records.Blocks.ToList(),
             BlockPaths = _paths.Paths,
             Inserts = _blocks.Inserts,

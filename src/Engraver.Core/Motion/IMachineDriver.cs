@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Motion;
@@ -13,6 +14,9 @@ public interface IMachineDriver : IControllerFamily
 
     /// <summary>The strategy of a job for which none is selected.</summary>
     ExecutionStrategy DefaultStrategy { get; }
+
+    /// <summary>What its controllers can do of operations on a machine.</summary>
+    OperationSupport SupportOf(MachineProfile profile) => new(Name);
 
     /// <summary>The times of a job that the host runs over a network: planned times and the playback show them while no other link is selected.</summary>
     CommandTimes NetworkTimes { get; }

@@ -13,6 +13,9 @@ public sealed record CuttingTool(int Number, double Diameter)
     /// <summary>Full angle of the tip of an engraving tool or drill, degrees; null where it has none or it is unknown.</summary>
     public double? AngleDegrees { get; init; }
 
+    /// <summary>Width of the flat end of the tip of an engraving tool; 0 for a point.</summary>
+    public double Tip { get; init; }
+
     /// <summary>Number of cutting edges; null where it is unknown.</summary>
     public int? Flutes { get; init; }
 
@@ -27,6 +30,10 @@ public sealed record CuttingTool(int Number, double Diameter)
 
     /// <summary>Turns per minute; null: none stated.</summary>
     public double? Spindle { get; init; }
+
+    /// <summary>Depth at which the tool cuts a groove of a width at the surface, mm.</summary>
+    /// <param name="width">Above <see cref="Tip"/>; the angle is stated.</param>
+    internal double DepthOf(double width) => (width - Tip) / (2.0 * Math.Tan(AngleDegrees!.Value / 2.0 * Math.PI / 180.0));
 
     /// <summary>Name and number, for messages.</summary>
     public string Title => Name.Length > 0 ? $"{Name} ({Number})" : FormattableString.Invariant($"{Number}");

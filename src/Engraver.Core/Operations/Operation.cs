@@ -34,11 +34,22 @@ public sealed record Operation
     /// <summary>Speed of the spindle, turns per minute; null: that of the tool, or none.</summary>
     public double? Spindle { get; init; }
 
+    /// <summary>Power of a beam, percent of its full power, above 0 and up to 100; null: full power, or the speed of the tool where that is its
+    /// power.</summary>
+    public double? Power { get; init; }
+
     /// <summary>Depth of the surface where cutting begins.</summary>
     public double StartDepth { get; init; }
 
     /// <summary>Final depth; null on a machine without a tool axis.</summary>
     public double? Depth { get; init; }
+
+    /// <summary>The depth below <see cref="StartDepth"/> follows from the width of each line: the groove is as wide as the line. <see cref="Depth"/> is then
+    /// null; operations for each width are made of this one.</summary>
+    public bool DepthByWidth { get; init; }
+
+    /// <summary>Id of the operation from which this one was made for one width; empty otherwise.</summary>
+    public string DividedFrom { get; init; } = "";
 
     /// <summary>Maximum depth that one pass removes; null: one pass.</summary>
     public double? DepthPerPass { get; init; }

@@ -13,6 +13,10 @@ public sealed record OperationAssignment
     /// <summary>The operations that are run, in their order.</summary>
     public required IReadOnlyList<OperationPart> Parts { get; init; }
 
+    /// <summary>The operations of the plan whose depth follows from the width of the lines, with the entities that they take. <see cref="Parts"/> has one
+    /// operation for each width instead.</summary>
+    public IReadOnlyList<(Operation Operation, IReadOnlyList<int> Entities)> ByWidth { get; private init; } = [];
+
     /// <summary>Entities that no operation takes, each once.</summary>
     public required IReadOnlyList<int> NotTaken { get; init; }
 
@@ -82,11 +86,14 @@ public sealed record OperationAssignment
         var drilled = taken.Values.SelectMany(one => one.Points.Concat(one.PointsOfBlocks)).Distinct().ToList();
         var filled = taken.Values.SelectMany(one => one.Areas).Select(areas.EntityIndexOf).Distinct().ToList();
         foreach (var other in taken.Keys.Except(plan.Active(tool)).ToList()) taken.Remove(other);
+        var division = new WidthDivision(drawing, plan, analysed);
+        var divided = taken.SelectMany(entry => entry.Key.DepthByWidth && machine.Height is not null ? division.Of(entry.Key, entry.Value) : [entry]).ToDictionary();
         return new OperationAssignment
         {
+            ByWidth = [.. taken.Where(entry => entry.Key.DepthByWidth).Select(entry => (entry.Key, (IReadOnlyList<int>)[.. entry.Value.Rows.Select(analysed.EntityIndexOf).Distinct()]))],
             Parts =
             [
-                .. taken.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), entry.Key.TakesHatches ? areas.Picking([.. entry.Value.Areas]) : analysed.Picking([.. entry.Value.Rows.Where(row => !entry.Value.RowsOfBlocks.Contains(row))]))
+                .. divided.Select(entry => new OperationPart(entry.Key, plan.ToolOf(entry.Key), entry.Key.TakesHatches ? areas.Picking([.. entry.Value.Areas]) : analysed.Picking([.. entry.Value.Rows.Where(row => !entry.Value.RowsOfBlocks.Contains(row))]))
                 {
                     Places = [.. entry.Value.Points.Select(placed.AtPoint), .. entry.Value.Inserts.Select(placed.AtInsert)],
                 }),
@@ -94,8 +101,8 @@ public sealed record OperationAssignment
             Drawing = placed.ToDrawing(drilled, filled),
             NotTaken = [.. notTaken.Keys],
             Contours = contours,
-            Findings = [.. FindingsOf(taken, plan, machine), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
-            Faults = [.. FaultsOf(drawing, plan, machine, limits, tool)],
+            Findings = [.. FindingsOf(taken, divided, plan, machine), .. notTaken.Count == 0 ? [] : (Diagnostic[])[OperationRules.NotTaken.At(drawing.SourceOf(notTaken.Keys.First()), FactText.Of(notTaken.Count), FactText.Of(notTaken.Values.Sum()))]],
+            Faults = [.. FaultsOf(drawing, plan, machine, limits, tool), .. division.Faults, .. divided.Keys.SelectMany(operation => DepthFaultsOf(operation, plan, machine))],
         };
     }
 
@@ -123,9 +130,9 @@ public sealed record OperationAssignment
         }
     }
 
-    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, TakenContent> content, OperationPlan plan, MachineProfile machine)
+    private static IEnumerable<Diagnostic> FindingsOf(Dictionary<Operation, TakenContent> stated, Dictionary<Operation, TakenContent> content, OperationPlan plan, MachineProfile machine)
     {
-        foreach (var (operation, taken) in content)
+        foreach (var (operation, taken) in stated)
         {
             if (taken.IsEmpty) yield return OperationRules.TakesNothing.At(default, operation.Title);
             if (plan.SpindleOf(operation) is { } speed && machine.Spindle is not { SpeedAxis: not null, FullSpeed: not null }) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));
@@ -154,17 +161,18 @@ public sealed record OperationAssignment
         var active = plan.Active(tool).ToList();
         foreach (var operation in active)
         {
-            foreach (var fault in LimitFaultsOf(operation, plan, machine, limits)) yield return fault;
+            foreach (var fault in SpeedFaultsOf(operation, plan, machine, limits)) yield return fault;
             if (machine.Height is null && operation.Kind == OperationKind.Drill) yield return OperationRules.NoToolAxis.At(default, operation.Title, "drill");
-            else if (machine.Height is null && operation.Depth is not null) yield return OperationRules.NoToolAxis.At(default, operation.Title, "depth");
-            if (machine.Height is not null && operation.Depth is null) yield return OperationRules.NoDepth.At(default, operation.Title);
+            else if (machine.Height is null && (operation.DepthByWidth || operation.Depth is not null)) yield return OperationRules.NoToolAxis.At(default, operation.Title, "depth");
+            if (machine.Height is not null && operation.Power is not null) yield return OperationRules.BeamOnAxis.At(default, operation.Title, "power");
+            else if (machine.Height is not null && operation is { Depth: null, DepthByWidth: false }) yield return OperationRules.NoDepth.At(default, operation.Title);
         }
 
         if (active.Count == 0) yield return OperationRules.NothingOn.At(default, tool == 0 ? "*" : FactText.Of(tool));
     }
 
-    /// <summary>Speeds and depths that the machine cannot count, and depths that the tool does not reach.</summary>
-    private static IEnumerable<Diagnostic> LimitFaultsOf(Operation operation, OperationPlan plan, MachineProfile machine, MachineLimits limits)
+    /// <summary>Speeds that the machine cannot count.</summary>
+    private static IEnumerable<Diagnostic> SpeedFaultsOf(Operation operation, OperationPlan plan, MachineProfile machine, MachineLimits limits)
     {
         var feed = plan.FeedOf(operation, machine);
         if (!MachineProfileValidation.IsFeed(feed, machine, limits)) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": feed", FactText.Of(feed), MachineProfileValidation.FeedRange(machine, limits));
@@ -176,6 +184,11 @@ public sealed record OperationAssignment
         }
 
         if (machine.Spindle is { SpeedAxis: not null, FullSpeed: { } full } && plan.SpindleOf(operation) is { } speed && speed > full) yield return OperationRules.ValueInvalid.At(default, operation.Id + ": spindle", FactText.Of(speed), Wording.Get("OperationFile.NumberAbove", 0.0, full));
+    }
+
+    /// <summary>Depths that the machine cannot count, and those that the tool does not reach.</summary>
+    private static IEnumerable<Diagnostic> DepthFaultsOf(Operation operation, OperationPlan plan, MachineProfile machine)
+    {
         if (operation.Depth is not { } depth) yield break;
         if (plan.ToolOf(operation) is { MaxDepth: { } limit } tool && depth > limit) yield return OperationRules.DeeperThanTool.At(default, operation.Title, FactText.Of(depth), tool.Title, FactText.Of(limit));
         if (machine.Height is null) yield break;

@@ -10,6 +10,10 @@ public static class OperationFile
 {
     /// <summary>Version of the files that are written and read.</summary>
     public const string Version = "1.0";
+
+    /// <summary>The depth follows from the width of each line.</summary>
+    internal const string LineWidth = "lineWidth";
+
     private const string CountField = "count";
     private const string PlacesField = "at";
     private const double LargestLength = 1e4;
@@ -18,13 +22,16 @@ public static class OperationFile
     /// <summary>Seconds; well below the time after which a program without motion counts as stuck.</summary>
     private const double LongestWait = 30.0;
 
+    /// <summary>Largest angle of a tool whose depth follows from a width, degrees: with a larger one the width is not accurate.</summary>
+    private const double BluntestAngle = 170.0;
+
     /// <summary>Maximum number of passes or pecks of an operation.</summary>
-    private const int MostPasses = 1000;
+    internal const int MostPasses = 1000;
 
     private static readonly JsonDocumentOptions s_options = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, AllowDuplicateProperties = false };
     private static readonly string[] s_fileFields = ["version", "tools", "materials", "material", "operations"];
     private static readonly string[] s_libraryFields = ["version", "tools", "materials"];
-    private static readonly string[] s_toolFields = ["number", "name", "kind", "diameter", "angle", "flutes", "maxDepth", "feed", "plunge", "spindle"];
+    private static readonly string[] s_toolFields = ["number", "name", "kind", "diameter", "angle", "tip", "flutes", "maxDepth", "feed", "plunge", "spindle"];
     private static readonly string[] s_materialFields = ["name", "feeds"];
     private static readonly string[] s_feedFields = ["tool", "feed", "plunge", "spindle"];
     private static readonly string[] s_leadFields = ["shape", "radius", "length", "direction"];
@@ -35,7 +42,7 @@ public static class OperationFile
 
     private static readonly string[] s_operationFields =
     [
-        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "outputs", "direction", "order",
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "outputs", "direction", "order",
         "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
@@ -160,6 +167,7 @@ public static class OperationFile
             Name = of.Text("name") ?? "",
             Kind = of.Choice<ToolKind>("kind") ?? ToolKind.Endmill,
             AngleDegrees = of.Number("angle", 0.0, 180.0, includesLowest: false),
+            Tip = of.Number("tip", 0.0, 1e3, includesLowest: true) ?? 0.0,
             Flutes = of.Whole("flutes", 1, 99),
             MaxDepth = of.Number("maxDepth", 0.0, LargestLength, includesLowest: false),
             Feed = Speed(of, "feed"),
@@ -200,6 +208,7 @@ public static class OperationFile
         var of = new OperationFields(value, path, lines, s_operationFields, findings);
         foreach (var name in (string[])["id", "kind", "select", "tool"]) of.Required(name);
         if (of.Find("kind") is { ValueKind: JsonValueKind.String } kind && kind.GetString() == "fill") of.Required("spacing");
+        var byWidth = of.Find("depth") is { ValueKind: JsonValueKind.String } depth && depth.GetString() == LineWidth;
         var (start, ramp) = (Inner(of, "start", path, lines, s_startFields, findings), RampOf(of, path, lines, findings));
         var operation = new Operation
         {
@@ -212,8 +221,10 @@ public static class OperationFile
             Feed = Speed(of, "feed"),
             Plunge = Speed(of, "plunge"),
             Spindle = Speed(of, "spindle"),
+            Power = of.Number("power", 0.0, 100.0, includesLowest: false),
             StartDepth = of.Number("startDepth", 0.0, LargestLength, includesLowest: true) ?? 0.0,
-            Depth = of.Number("depth", 0.0, LargestLength, includesLowest: false),
+            Depth = byWidth ? null : of.Number("depth", 0.0, LargestLength, includesLowest: false),
+            DepthByWidth = byWidth,
             DepthPerPass = of.Number("depthPerPass", 0.0, LargestLength, includesLowest: false),
             Finish = of.Number("finish", 0.0, LargestLength, includesLowest: true) ?? 0.0,
             Stock = of.Number("stock", 0.0, 1e3, includesLowest: true) ?? 0.0,
@@ -256,6 +267,8 @@ public static class OperationFile
         if (operation.Id.Length == 0) of.Invalid(of.PathOf("id"), "", Wording.Get("OperationFile.NotEmpty"));
         if (!tools.Any(tool => tool.Number == operation.Tool)) of.Invalid(of.PathOf("tool"), FactText.Of(operation.Tool), string.Join(", ", tools.Select(tool => FactText.Of(tool.Number))));
         if (operation.Depth is { } depth && depth - operation.Finish <= operation.StartDepth) of.Invalid(of.PathOf("depth"), FactText.Of(depth), Wording.Get("OperationFile.DeeperThan", FactText.Of(operation.StartDepth + operation.Finish)));
+        if (operation is { DepthByWidth: true, Kind: not OperationKind.Engrave }) of.Invalid(of.PathOf("depth"), LineWidth, Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(OperationKind.Engrave)));
+        else if (operation.DepthByWidth && tools.FirstOrDefault(tool => tool.Number == operation.Tool) is { AngleDegrees: null or > BluntestAngle } blunt) of.Invalid(of.PathOf("depth"), LineWidth, Wording.Get("OperationFile.NeedsAngle", BluntestAngle, blunt.Title));
         foreach (var field in (string[])["depthPerPass", "peck"])
         {
             if (of.Find(field) is { } step && operation.Depth is { } whole && (whole - operation.StartDepth) / step.GetDouble() > MostPasses) of.Invalid(of.PathOf(field), OperationFields.Shown(step), Wording.Get("OperationFile.TooManyPasses", MostPasses));
@@ -270,6 +283,11 @@ public static class OperationFile
         }
 
         if (operation is { HelixRadius: { } helix, Kind: not (OperationKind.Profile or OperationKind.Pocket) }) of.Invalid(of.PathOf("ramp.radius"), FactText.Of(helix), Wording.Get("OperationFile.OnlyFor", string.Join(", ", ((OperationKind[])[OperationKind.Profile, OperationKind.Pocket]).Select(OperationFields.WordOf))));
+        foreach (var field in ((string[])["spindle", "depth"]).Where(field => operation.Power is not null && of.Has(field)))
+        {
+            of.Invalid(of.PathOf("power"), OperationFields.Shown(of.Find("power")!.Value), Wording.Get("OperationFile.NotWith", field));
+        }
+
         foreach (var (field, kinds) in s_fieldsOfKinds)
         {
             if (of.Has(field) && !kinds.Contains(operation.Kind)) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", string.Join(", ", kinds.Select(OperationFields.WordOf))));
@@ -277,13 +295,13 @@ public static class OperationFile
 
         foreach (var field in (string[])["startDepth", "depthPerPass", "finish", "peck", "ramp", "plunge"])
         {
-            if (of.Has(field) && operation.Depth is null) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
+            if (of.Has(field) && operation is { Depth: null, DepthByWidth: false }) of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.NeedsDepth"));
         }
     }
 
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
-        ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
+        ("power", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
         ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];

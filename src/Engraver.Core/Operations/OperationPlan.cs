@@ -37,8 +37,8 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
     /// <summary>Speed straight down, mm/min; null on a machine without a tool axis.</summary>
     public double? PlungeOf(Operation operation, MachineProfile machine) => machine.Height is { } drive ? operation.Plunge ?? ToolOf(operation).Plunge ?? drive.PlungeMmPerMinute : null;
 
-    /// <summary>Turns per minute; null where neither operation nor tool states it.</summary>
-    public double? SpindleOf(Operation operation) => operation.Spindle ?? ToolOf(operation).Spindle;
+    /// <summary>Turns per minute; null where neither operation nor tool states it, and for a beam whose power the operation states.</summary>
+    public double? SpindleOf(Operation operation) => operation.Power is null ? operation.Spindle ?? ToolOf(operation).Spindle : null;
 
     /// <summary>Outputs of a machine that are on while an operation is cut, bit 0 is output 1; a name that the profile does not have is left out.</summary>
     public static int OutputsOf(Operation operation, MachineProfile machine)
@@ -48,12 +48,14 @@ public sealed class OperationPlan : IEquatable<OperationPlan>
         return operation.Outputs.Select(name => machine.Outputs.Find(name, MostOutputs)).OfType<int>().Aggregate(0, (word, output) => word | (1 << (output - 1)));
     }
 
-    /// <summary>Speed of the spindle as a part of the full value of the machine's analog output; null where it has none or no operation of the job states a
-    /// speed.</summary>
+    /// <summary>Power of the beam or speed of the spindle as a part of the full value of the machine's analog output; null where it has none or no operation of
+    /// the job states a speed.</summary>
     /// <param name="tool">As for <see cref="Active"/>.</param>
     public double? AnalogPartOf(Operation operation, MachineProfile machine, int tool)
     {
+        ArgumentNullException.ThrowIfNull(operation);
         ArgumentNullException.ThrowIfNull(machine);
+        if (machine.Power is not null) return operation.Power / 100.0;
         if (machine.Spindle is not { SpeedAxis: not null, FullSpeed: { } full } || Active(tool).All(one => SpindleOf(one) is null)) return null;
         return (SpindleOf(operation) ?? full) / full;
     }

@@ -37,6 +37,7 @@ internal static class OperationText
         writer.WriteString("kind", OperationFields.WordOf(tool.Kind));
         writer.WriteNumber("diameter", tool.Diameter);
         WriteNumber(writer, "angle", tool.AngleDegrees);
+        WriteNumber(writer, "tip", tool.Tip == 0.0 ? null : tool.Tip);
         WriteNumber(writer, "flutes", tool.Flutes);
         WriteNumber(writer, "maxDepth", tool.MaxDepth);
         WriteNumber(writer, "feed", tool.Feed);
@@ -57,7 +58,9 @@ internal static class OperationText
         WriteNumber(writer, "feed", operation.Feed);
         WriteNumber(writer, "plunge", operation.Plunge);
         WriteNumber(writer, "spindle", operation.Spindle);
+        WriteNumber(writer, "power", operation.Power);
         WriteNumber(writer, "startDepth", operation.StartDepth == 0.0 ? null : operation.StartDepth);
+        if (operation.DepthByWidth) writer.WriteString("depth", OperationFile.LineWidth);
         WriteNumber(writer, "depth", operation.Depth);
         WriteNumber(writer, "depthPerPass", operation.DepthPerPass);
         WriteNumber(writer, "finish", operation.Finish == 0.0 ? null : operation.Finish);

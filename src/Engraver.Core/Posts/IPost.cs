@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Operations;
 
 namespace Engraver.Core.Posts;
 
@@ -27,6 +28,9 @@ public interface IPost
 
     /// <summary>Why a job with operations cannot be written in the format; null where it can.</summary>
     string? OperationsRefusal => Wording.Get("Post.NoOperations");
+
+    /// <summary>What the program of a request can do of operations.</summary>
+    OperationSupport SupportOf(PostRequest request) => new(Name);
 
     PostOutput Write(PostRequest request);
 

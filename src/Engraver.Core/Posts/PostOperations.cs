@@ -21,4 +21,8 @@ public sealed record PostOperations(OperationPlan Plan, IReadOnlyList<ToolSectio
 
     /// <summary>Turns per minute at a stroke; null where its operation states none.</summary>
     public double? SpindleOf(int stroke) => Plan.SpindleOf(_operations[stroke]);
+
+    /// <summary>The S word of a stroke: its power as a part of the full power, its turns per minute, or the usual value.</summary>
+    /// <param name="usual">S word of full power, and of an operation that states neither.</param>
+    public double SpeedOf(int stroke, double usual) => _operations[stroke].Power is { } percent ? usual * percent / 100.0 : SpindleOf(stroke) ?? usual;
 }

@@ -4,7 +4,8 @@ namespace Engraver.Core.Posts;
 /// <param name="Feed">Along the path, mm/min.</param>
 /// <param name="Plunge">Straight down, mm/min; null without a tool axis.</param>
 /// <param name="Spindle">Turns per minute; null: that of the post.</param>
+/// <param name="Power">Of a beam, percent of its full power; null: not stated.</param>
 /// <param name="Tool">Number of the tool.</param>
 /// <param name="PierceSeconds">Wait before the first move.</param>
 /// <param name="DwellSeconds">Wait after the last move.</param>
-public sealed record StrokeRequirement(double Feed, double? Plunge, double? Spindle, int Tool, double PierceSeconds, double DwellSeconds);
+public sealed record StrokeRequirement(double Feed, double? Plunge, double? Spindle, double? Power, int Tool, double PierceSeconds, double DwellSeconds);

@@ -1,9 +1,11 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Operations;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
+using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Terminals;
@@ -25,6 +27,8 @@ public sealed class GalilDriver : IMachineDriver
     public IReadOnlyList<ExecutionStrategy> Strategies => JobModes.Strategies;
 
     public ExecutionStrategy DefaultStrategy => JobModes.Strategies[0];
+
+    public OperationSupport SupportOf(MachineProfile profile) => ProgramSupport.On(Name, profile);
 
     public CommandTimes NetworkTimes => DmcTimes.Ethernet;
 

@@ -26,7 +26,7 @@ public static class EditedDrawing
         return new DxfSheet([.. drawing.Layers.Select(layer => LayerOf(drawing, layer))], entities)
         {
             InsUnits = drawing.Unit.Code is > 0 and var code ? code : drawing.Unit == LengthUnit.AssumedInches ? Inches : Millimetres,
-            Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
+            Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text with { Lineweight = WeightIn(drawing, text.Lineweight) }, drawing.Layers[text.Layer].Name))],
             TextStyles = drawing.Styles,
             Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name, NameOf(drawing, point.Linetype)))],
             Linetypes = [.. drawing.Linetypes.Skip(Linetype.Standard.Count)],
@@ -59,7 +59,10 @@ public static class EditedDrawing
     }
 
     private static DxfSheetLayer LayerOf(Drawing drawing, Layer layer) =>
-        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb, Linetype = drawing.Linetypes[layer.Linetype].Name };
+        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb, Linetype = drawing.Linetypes[layer.Linetype].Name, Lineweight = WeightIn(drawing, layer.Lineweight) };
+
+    /// <summary>A default other than the usual one is written as its value, because DXF has no variable for it.</summary>
+    private static int WeightIn(Drawing drawing, int lineweight) => lineweight == Lineweight.Default && drawing.DefaultLineweight != Lineweight.UsualDefault ? drawing.DefaultLineweight : lineweight;
 
     private static string? NameOf(Drawing drawing, int linetype) => linetype == Linetype.ByLayer ? null : drawing.Linetypes[linetype].Name;
 
@@ -71,7 +74,7 @@ public static class EditedDrawing
         Segment[] segments = [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
         var heights = Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => HeightsOf(drawing.Parts[part])).ToArray();
         if (entity.Type is not (CurveType.LwPolyline or CurveType.Polyline) || !DxfPolylineWriter.CanWrite(segments, entity.Closed)) return Enumerable.Range(0, segments.Length).Select(Made);
-        var run = Made(0) with { Run = segments, Closed = entity.Closed, RunsThrough = style.RunsThrough };
+        var run = Made(0) with { Run = segments, Closed = entity.Closed, RunsThrough = style.RunsThrough, Width = style.Width };
         if (Array.TrueForAll(heights, height => height.Start == heights[0].Start && height.End == heights[0].Start)) return [run];
         var inSpace = Array.TrueForAll(segments, segment => segment.Kind == SegmentKind.Line);
         double[] vertices = [.. heights.Select(height => height.Start), .. entity.Closed ? [] : new[] { heights[^1].End }];
@@ -82,6 +85,7 @@ public static class EditedDrawing
             Colour = entity.Colour,
             Linetype = NameOf(drawing, style.Linetype),
             LinetypeScale = style.Scale == 1.0 ? null : style.Scale,
+            Lineweight = style.Lineweight == Lineweight.ByLayer ? null : WeightIn(drawing, style.Lineweight),
             Inserts = inserts,
             Hidden = hidden,
             Z = heights[part],

@@ -47,8 +47,8 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = job.NoProgramReason };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { NoProgramReason = job.NoProgramReason };
         if (ToolSection.RefusalOfSeveral(job.Sections) is { } several) return new PostedProgram(null, [.. job.Diagnostics, several]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.SeveralTools.Id) };
-        var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm });
-        return Written(written, job.Diagnostics);
+        var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm };
+        return Written(post, request, job.Passes, job.Diagnostics);
     }
 
     /// <summary>The program of a post that writes the path in millimetres.</summary>
@@ -64,14 +64,14 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         if (sequence.Contours == 0) return CreateEmpty(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
         if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { NoProgramReason = PreparedJob.NotAsDrawn(faults) };
-        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.CuttingMachine, MaxErrorMm = settings.MaxErrorMm, Operations = OperationsOf(job) });
-        return Written(written, found);
+        return Written(post, new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.CuttingMachine, MaxErrorMm = settings.MaxErrorMm, Operations = OperationsOf(job) }, job.Passes, found);
     }
 
     private static PostOperations? OperationsOf(OrderedJob job) => job.Settings.Operations is { } plan && ToolSection.Of(plan, job.Passes) is { Count: > 0 } sections ? new PostOperations(plan, sections) : null;
 
-    private static PostedProgram Written(PostOutput written, IReadOnlyList<Diagnostic> found)
+    private static PostedProgram Written(IPost post, PostRequest request, IReadOnlyList<StrokePass> passes, IReadOnlyList<Diagnostic> found)
     {
+        var written = passes.Count > 0 && post.SupportOf(request).Refusals(passes.Select(pass => pass.Operation)) is { Count: > 0 } refused ? new PostOutput([], refused) : post.Write(request);
         IReadOnlyList<Diagnostic> all = [.. found, .. written.Diagnostics];
         if (written.Chunks.Count > 0) return new PostedProgram(written.Text, all) { Forecast = written.Forecast };
         return new PostedProgram(null, all) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", string.Join(", ", written.Diagnostics.Select(finding => finding.Id).Distinct())) };

@@ -6,6 +6,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Operations;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.LetteredDrawings;
 using Engraver.Workbench.SerialTexts;
 using Engraver.Workbench.Settings;
@@ -56,6 +57,9 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
 
     /// <summary>The parts of the job between two changes of the tool, in order; empty for a job without operations.</summary>
     public IReadOnlyList<ToolSection> Sections => Settings.Operations is { } plan ? ToolSection.Of(plan, Passes) : [];
+
+    /// <summary>What the controllers of the machine cannot do of the operations: the job can be posted in another format, but not run.</summary>
+    public IReadOnlyList<Diagnostic> RunRefusals => Passes.Count == 0 ? [] : MachineFamilies.DriverOf(Settings.Machine).SupportOf(Settings.CuttingMachine).Refusals(Passes.Select(pass => pass.Operation));
 
     /// <summary>The shapes of the operations; empty for a job without operations.</summary>
     public IReadOnlyList<ShapedOperation> Shapes { get; init; } = [];

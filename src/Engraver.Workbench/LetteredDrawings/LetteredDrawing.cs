@@ -37,11 +37,11 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
             cancellation.ThrowIfCancellationRequested();
             if (isTaken(text) && Letter(text, fonts, maxError, findings) is var (layout, curves))
             {
-                done.Add(new LetteredText(added.Add(EntityOf(text), curves.Parts, curves.Curves), layout));
+                done.Add(new LetteredText(added.Add(EntityOf(text, added), curves.Parts, curves.Curves), layout));
                 continue;
             }
 
-            added.Add(EntityOf(text), [], []);
+            added.Add(EntityOf(text, added), [], []);
             rest.Add(text);
         }
 
@@ -105,13 +105,14 @@ public sealed record LetteredDrawing(Drawing Drawing, IReadOnlyList<LetteredText
         return LetterCheck.Find(places, curves, maxError);
     }
 
-    private static DrawingEntity EntityOf(PlacedText text) => new()
+    private static DrawingEntity EntityOf(PlacedText text, AddedCurves added) => new()
     {
         SourceLine = (int)text.SourceLine,
         Insert = -text.BlockPath,
         Handle = text.Handle,
         Layer = text.Layer,
         Colour = text.Colour,
+        LineStyle = added.StyleOf(text.Lineweight),
         Type = text.Type switch { "MTEXT" => CurveType.MText, "ATTRIB" => CurveType.Attribute, _ => CurveType.Text },
         Hidden = text.Hidden,
     };

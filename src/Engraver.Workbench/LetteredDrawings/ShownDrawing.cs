@@ -129,6 +129,7 @@ public static class ShownDrawing
             parts[part] = DrawingPart.FreeCurve(0, curves[^1].Kind, curves.Count - 1);
         }
 
+        row.LineStyle = added.StyleOf(from.LineStyles[row.LineStyle].Lineweight);
         added.Add(row, parts, curves);
     }
 

@@ -26,7 +26,7 @@ internal sealed class CheckStage() : JobStage<MotionJob, CheckedJob>("Check", sh
 
     private static IReadOnlyList<Diagnostic> OperationsFaultsOf(OrderedJob job, Toolpath toolpath) => job.Shapes.Count == 0
         ? []
-        : [.. OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf), .. DashCheck.Findings(job.Shapes, job.Drawing, job.Settings.MaxErrorMm)];
+        : [.. OperationCheck.Findings(job.Shapes, job.Assignment!.Contours, toolpath, job.Passes, TolerancesOf(job), job.Drawing.SourceOf), .. DashCheck.Findings(job.Shapes, job.Drawing, job.Settings.MaxErrorMm), .. LineWidthCheck.Findings(job.Assignment!, job.Drawing, toolpath, job.Passes)];
 
     private static ToolpathTolerances TolerancesOf(DrawnJob job) => new(job.Settings.MaxErrorMm, job.Settings.JoinToleranceMm, job.Settings.RecoverArcs);
 

@@ -1,4 +1,5 @@
 using System.Collections.ObjectModel;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
@@ -19,8 +20,9 @@ internal sealed class ProgramStage() : JobStage<CheckedJob, PlannedJob>("Program
         var driver = MachineFamilies.DriverOf(program.Profile);
         var post = PostTable.ForMotion(driver, program.Style)?.Post;
         var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, ReadOnlyDictionary<string, string>.Empty) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm };
+        var refused = job.Passes.Count == 0 ? [] : driver.SupportOf(request.Machine).Refusals(job.Passes.Select(pass => pass.Operation));
         var posted = new Lazy<PostOutput?>(() => post?.Write(request));
-        var findings = post?.Findings(request) ?? [];
+        IReadOnlyList<Diagnostic> findings = refused.Count > 0 ? refused : post?.Findings(request) ?? [];
         cancellation.ThrowIfCancellationRequested();
         return new PlannedJob(job)
         {

@@ -21,10 +21,10 @@ internal sealed class OperationJob
 
     private readonly Drawing _drawing;
 
-    /// <param name="operations">The entries of the list, as JSON. Tool 1 has a diameter of 2 mm, tool 2 of 1 mm.</param>
+    /// <param name="operations">The entries of the list, as JSON. Tool 1 has a diameter of 2 mm, tool 2 of 1 mm, tool 3 a tip of 60 degrees.</param>
     public OperationJob(Drawing drawing, string operations, MachineProfile? machine = null, int tool = 0, double diameter = 2.0)
     {
-        var read = OperationFile.Read(FormattableString.Invariant($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": {{diameter}}, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}], "operations": [{{operations}}] }"""), _ => (null, ""));
+        var read = OperationFile.Read(FormattableString.Invariant($$"""{ "version": "1.0", "tools": [{"number": 1, "diameter": {{diameter}}, "plunge": 100}, {"number": 2, "diameter": 1, "maxDepth": 4}, {"number": 3, "kind": "engraver", "diameter": 2, "angle": 60, "tip": 0.1, "maxDepth": 1.6}], "operations": [{{operations}}] }"""), _ => (null, ""));
         Assert.True(read.Plan is not null, string.Join('\n', read.Diagnostics.Select(finding => finding.Message)));
         Plan = read.Plan;
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
@@ -57,6 +57,9 @@ internal sealed class OperationJob
 
     /// <summary>Ids of the findings of the check of dashes.</summary>
     public IReadOnlyList<string> CheckOfDashes(ShapedOperation shape) => [.. DashCheck.Findings([shape], _drawing, MaxError).Select(finding => finding.Id)];
+
+    /// <summary>Ids of the findings of the check of widths.</summary>
+    public IReadOnlyList<string> CheckOfWidths(Toolpath path, OperationAssignment? assignment = null) => [.. LineWidthCheck.Findings(assignment ?? Assignment, _drawing, path, Passes.Strokes).Select(finding => finding.Id)];
 
     /// <summary>Points of a stroke, at most a step apart.</summary>
     public static IEnumerable<Point2D> PointsOf(ToolpathStroke stroke, double step) =>

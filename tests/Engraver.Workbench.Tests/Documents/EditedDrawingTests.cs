@@ -30,6 +30,24 @@ public class EditedDrawingTests
         Assert.Equal([2.0, -1.0, 0.0, -1.0], written.Linetypes.Single(linetype => linetype.Name == "DOT").Elements);
     }
 
+    /// <summary>Another default is written as its value: DXF has no variable for it.</summary>
+    [Theory]
+    [InlineData(null)]
+    [InlineData(13)]
+    public void A_written_drawing_keeps_lineweights_and_widths(int? defaultWeight)
+    {
+        var drawing = Read(LineweightDrawing.Of([.. LineweightDrawing.Line("0", 0), .. LineweightDrawing.Line("THICK", 1), .. LineweightDrawing.Line("0", 2, (370, 18)), .. LineweightDrawing.Line("THICK", 3, (370, -3)), .. LineweightDrawing.Insert("OUTER", "THICK"),
+            .. LineweightDrawing.Polyline((43, 0.7), (10, 0.0), (20, 3.0), (10, 9.0), (20, 3.0)), (0, "TEXT"), (8, "0"), (370, 35), (10, 0.0), (20, 0.0), (40, 5.0), (1, "A")], 4, defaultWeight).ToAscii());
+        var text = new StringWriter(CultureInfo.InvariantCulture);
+        DxfWriter.Write(EditedDrawing.SheetOf(drawing, []), text);
+
+        var written = Read(Encoding.ASCII.GetBytes(text.ToString()));
+
+        Assert.Equal(8, written.Entities.Count);
+        Assert.Equal(Enumerable.Range(0, 8).Select(drawing.LineWidthOf), Enumerable.Range(0, 8).Select(written.LineWidthOf));
+        Assert.Equal(35, written.Texts[0].Lineweight);
+    }
+
     private static Drawing Read(byte[] file) => DxfReader.Read(file, "test.dxf", DxfReadOptions.Default, CancellationToken.None);
 
     private static IEnumerable<(string, double, bool)> Styles(Drawing drawing) =>

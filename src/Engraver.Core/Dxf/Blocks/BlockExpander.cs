@@ -123,7 +123,7 @@ internal sealed class BlockExpander(
 
         entity.Layer = style.LayerOf(entity.Layer, layers);
         entity.Colour = style.ColourOf(entity.Colour, entity.Layer, layers);
-        if (entity.LineStyle != 0) entity.LineStyle = styles.Resolved(entity.LineStyle, style.LinetypeOf(Linetype.ByBlock, entity.Layer, layers));
+        if (entity.LineStyle != 0) entity.LineStyle = styles.Resolved(entity.LineStyle, style.LinetypeOf(Linetype.ByBlock, entity.Layer, layers), style.LineweightOf(Lineweight.ByBlock, entity.Layer, layers), at);
         entity.Insert = style.Insert;
         entity.Hidden |= style.Hidden;
         drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);

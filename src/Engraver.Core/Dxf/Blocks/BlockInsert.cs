@@ -33,6 +33,7 @@ internal readonly record struct BlockInsert
         Layer = record.Layer;
         Colour = record.Colour;
         Linetype = record.Linetype;
+        Lineweight = record.Lineweight ?? Drawings.Lineweight.ByLayer;
         Handle = record.Handle;
         Line = record.Line;
         Invisible = record.Invisible;
@@ -53,6 +54,9 @@ internal readonly record struct BlockInsert
 
     /// <summary>Number of its linetype, as stated.</summary>
     public int Linetype { get; }
+
+    /// <summary>Its lineweight, as stated.</summary>
+    public int Lineweight { get; }
 
     public ulong Handle { get; }
 

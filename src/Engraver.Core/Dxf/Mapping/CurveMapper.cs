@@ -15,6 +15,9 @@ internal sealed class CurveMapper
     private const double LevelSlope = 1e-6;
 
     private readonly List<PolylineVertex> _vertices = [];
+
+    /// <summary>Widths at the start and the end of the part after each vertex, drawing units.</summary>
+    private readonly List<(double Start, double End)> _widths = [];
     private readonly SplineMapper _splines = new();
 
     public CurveShape Shape { get; } = new();
@@ -79,6 +82,7 @@ internal sealed class CurveMapper
     {
         Shape.Begin(CurveType.LwPolyline);
         TakeVertices(record);
+        record.Width = WidthOf((record.Flags(70) & 1) != 0, record.Number(43, 0.0));
         CheckCount(record, atEndOfFile);
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (record.Flags(70) & 1) != 0, Shape);
         ObjectCoordinateSystem.TransformToWorld(record, Shape);
@@ -90,6 +94,7 @@ internal sealed class CurveMapper
     {
         Shape.Begin(CurveType.Polyline);
         _vertices.Clear();
+        _widths.Clear();
     }
 
     /// <summary>Records that the vertices ended without SEQEND although the file continues.</summary>
@@ -101,7 +106,9 @@ internal sealed class CurveMapper
         var point = vertex.Point(10);
         var bulge = vertex.Number(42, 0.0);
         polyline.CopyFaultFrom(vertex);
-        if ((vertex.Flags(70) & PolylineFlags.FrameVertex) == 0) _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
+        if ((vertex.Flags(70) & PolylineFlags.FrameVertex) != 0) return;
+        _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
+        _widths.Add((vertex.Number(40, polyline.Number(40, 0.0)), vertex.Number(41, polyline.Number(41, 0.0))));
     }
 
     /// <summary>The curve of a POLYLINE whose vertices have been added. A 2D polyline is at its own elevation, a 3D one at the heights of its
@@ -113,6 +120,7 @@ internal sealed class CurveMapper
         var flat = (flags & PolylineFlags.InSpace) == 0;
         foreach (ref var vertex in CollectionsMarshal.AsSpan(_vertices)) vertex = flat ? vertex with { Z = record.Number(30, 0.0) } : vertex with { Bulge = 0.0 };
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (flags & PolylineFlags.Closed) != 0, Shape);
+        record.Width = WidthOf((flags & PolylineFlags.Closed) != 0, 0.0);
         if (record.Number(40, 0.0) != 0.0 || record.Number(41, 0.0) != 0.0) Note(record, DxfRules.WidthIgnored, "");
         if (flat) ObjectCoordinateSystem.TransformToWorld(record, Shape);
         Finish(record);
@@ -140,20 +148,44 @@ internal sealed class CurveMapper
     private void TakeVertices(EntityRecord record)
     {
         _vertices.Clear();
+        _widths.Clear();
         var elevation = record.Number(38, 0.0);
         var wide = record.Number(43, 0.0) != 0.0;
         foreach (var (code, value) in record.Sequence)
         {
-            if (code == 10) _vertices.Add(new PolylineVertex(value, double.NaN, elevation, 0.0));
+            if (code == 10)
+            {
+                _vertices.Add(new PolylineVertex(value, double.NaN, elevation, 0.0));
+                _widths.Add(default);
+            }
+
             if (_vertices.Count == 0) continue;
             ref var vertex = ref CollectionsMarshal.AsSpan(_vertices)[^1];
             if (code == 20) vertex.Y = value;
             else if (code == 42) vertex.Bulge = value;
-            else if (code is 40 or 41) wide |= value != 0.0;
+            else if (code is 40 or 41)
+            {
+                wide |= value != 0.0;
+                _widths[^1] = code == 40 ? (value, _widths[^1].End) : (_widths[^1].Start, value);
+            }
         }
 
         if (wide) Note(record, DxfRules.WidthIgnored, "");
         if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("CurveMapper.YOfVertex"));
+    }
+
+    /// <summary>The width of a polyline: that at both ends of each of its parts, otherwise the constant one. 0 for none, NaN for one that varies.</summary>
+    private double WidthOf(bool closed, double constant)
+    {
+        var drawn = CollectionsMarshal.AsSpan(_widths)[..Math.Max(0, closed ? _widths.Count : _widths.Count - 1)];
+        var (isVaried, isWide) = (false, false);
+        foreach (var (start, end) in drawn)
+        {
+            isWide |= start != 0.0 || end != 0.0;
+            isVaried |= start != drawn[0].Start || end != drawn[0].Start;
+        }
+
+        return !isWide ? Math.Max(0.0, constant) : isVaried ? double.NaN : Math.Max(0.0, drawn[0].Start);
     }
 
     /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may contain any

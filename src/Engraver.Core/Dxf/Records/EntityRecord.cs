@@ -65,6 +65,12 @@ internal sealed class EntityRecord
     /// <summary>Scale of the pattern of its linetype (code 48).</summary>
     public double LinetypeScale { get; set; }
 
+    /// <summary>Its lineweight (code 370), as stated; null where none is stated.</summary>
+    public int? Lineweight { get; set; }
+
+    /// <summary>Constant width of a polyline, drawing units; 0 for none, NaN for one that varies.</summary>
+    public double Width { get; set; }
+
     /// <summary>Number of its line style.</summary>
     public int LineStyle { get; set; }
 
@@ -120,6 +126,7 @@ internal sealed class EntityRecord
         DamagedGroup = 0;
         Linetype = Drawings.Linetype.ByLayer;
         LinetypeScale = 1.0;
+        (Lineweight, Width) = (null, 0.0);
         LineStyle = 0;
         Own = null;
         RepeatedCode = 0;

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Records;
 
@@ -20,12 +21,33 @@ internal sealed class LineStyleTable
     public int NumberOf(EntityRecord record)
     {
         var through = record.Kind is RecordKind.LwPolyline or RecordKind.Polyline && (record.Flags(70) & RunsThrough) != 0;
-        return record.Linetype == Linetype.ByLayer && record.LinetypeScale == 1.0 && !through ? 0 : NumberOf(new LineStyle(record.Linetype, record.LinetypeScale, through));
+        return NumberOf(new LineStyle(record.Linetype, record.LinetypeScale, through) { Lineweight = record.Lineweight ?? Lineweight.ByLayer, Width = record.Width });
     }
 
-    /// <summary>The style with a linetype instead of "by block".</summary>
+    /// <summary>The style of a copy of a block: "by block" is resolved, and a width is scaled.</summary>
     /// <param name="linetype">Linetype of the insert.</param>
-    public int Resolved(int style, int linetype) => style == 0 || _styles[style].Linetype != Linetype.ByBlock ? style : NumberOf(_styles[style] with { Linetype = linetype });
+    /// <param name="lineweight">Lineweight of the insert.</param>
+    /// <param name="at">Where the copy is.</param>
+    public int Resolved(int number, int linetype, int lineweight, in Placement at)
+    {
+        var style = _styles[number];
+        if (style.Linetype != Linetype.ByBlock && style.Lineweight != Lineweight.ByBlock && style.Width == 0.0) return number;
+        return NumberOf(style with
+        {
+            Linetype = style.Linetype == Linetype.ByBlock ? linetype : style.Linetype,
+            Lineweight = style.Lineweight == Lineweight.ByBlock ? lineweight : style.Lineweight,
+            Width = style.Width == 0.0 ? 0.0 : style.Width * ScaleOf(at),
+        });
+    }
+
+    /// <summary>The scale of a placement in plan; NaN where it is not the same in every direction.</summary>
+    private static double ScaleOf(in Placement at)
+    {
+        const double rounding = 1e-9;
+        var (x, y) = (at.ApplyToDirection(new Vector3D(1.0, 0.0, 0.0)), at.ApplyToDirection(new Vector3D(0.0, 1.0, 0.0)));
+        var scale = x.Length;
+        return Math.Abs(y.Length - scale) <= rounding * scale && Math.Abs(x.Dot(y)) <= rounding * scale * scale ? scale : double.NaN;
+    }
 
     private int NumberOf(in LineStyle style)
     {

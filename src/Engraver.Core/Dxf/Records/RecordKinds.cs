@@ -41,6 +41,9 @@ internal static class RecordKinds
     /// <summary>True for the records whose linetype is read: curves, inserts, points and outlines.</summary>
     public static bool HasLinetype(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Point || IsOutline(kind);
 
+    /// <summary>True for the records whose lineweight is read: as for linetypes, and texts and layers.</summary>
+    public static bool HasLineweight(RecordKind kind) => HasLinetype(kind) || kind is RecordKind.Text or RecordKind.Attribute or RecordKind.AttributeDefinition or RecordKind.LayerEntry;
+
     /// <summary>True for every record that makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
     public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
 

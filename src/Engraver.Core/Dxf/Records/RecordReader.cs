@@ -234,6 +234,9 @@ internal sealed class RecordReader
             case 48 when RecordKinds.HasLinetype(record.Kind):
                 if (_tags.TryNumber(out var scale) && scale > 0.0) record.LinetypeScale = scale;
                 break;
+            case 370 when RecordKinds.HasLineweight(record.Kind):
+                if (record.Lineweight is null && _tags.TryNumber(out var weight)) record.Lineweight = weight is >= Lineweight.Default and <= Lineweight.Heaviest ? (int)weight : Lineweight.Default;
+                break;
             default:
                 if (RecordKinds.IsCollected(record.Kind, _cut)) Collect(record);
                 else AcceptNumber(record, _tags.Code);

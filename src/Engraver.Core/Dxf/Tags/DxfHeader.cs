@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Tags;
 
@@ -25,6 +26,9 @@ internal sealed class DxfHeader
     /// <summary>$LTSCALE; 1 when missing or not above 0.</summary>
     public double LinetypeScale { get; private set; } = 1.0;
 
+    /// <summary>$LWDEFAULT, hundredths of a millimetre.</summary>
+    public int DefaultLineweight { get; private set; } = Lineweight.UsualDefault;
+
     /// <summary>Takes one pair of the section: code 9 names a variable, the pairs after it are its values.</summary>
     public void Take(DxfTagSource tag)
     {
@@ -41,6 +45,9 @@ internal sealed class DxfHeader
                 break;
             case 40 when _variable == "$LTSCALE":
                 if (tag.TryNumber(out var scale) && scale > 0.0) LinetypeScale = scale;
+                break;
+            case 70 or 370 when _variable == "$LWDEFAULT":
+                if (tag.TryNumber(out var weight) && weight is >= 0.0 and <= Lineweight.Heaviest) DefaultLineweight = (int)weight;
                 break;
             case 70 when _variable == "$INSUNITS":
                 InsUnits = tag.TryNumber(out var unit) ? unit : null;

@@ -23,6 +23,7 @@ internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blo
             Layer = layer,
             Hidden = one.Hidden || style.Hidden,
             Colour = style.ColourOf(one.Colour, layer, _layers),
+            Lineweight = style.LineweightOf(one.Lineweight, layer, _layers),
             Inserts = at.After(one.Inserts),
             BlockPath = style.Path,
         };

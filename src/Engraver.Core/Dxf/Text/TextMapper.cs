@@ -37,6 +37,7 @@ internal sealed class TextMapper(StyleTable styles)
             Style = style,
             Font = styles.FontOf(style),
             Colour = record.Colour,
+            Lineweight = record.Lineweight ?? Lineweight.ByLayer,
             Layer = record.Layer,
             Handle = record.Handle,
             SourceLine = record.Line,

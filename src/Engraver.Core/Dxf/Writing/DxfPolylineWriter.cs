@@ -42,6 +42,7 @@ public static class DxfPolylineWriter
     {
         var (segments, closed) = (entity.Segments, entity.Closed);
         tags.Class("AcDbPolyline").Integer(90, segments.Count + (closed ? 0 : 1)).Integer(70, (closed ? 1 : 0) | (entity.RunsThrough ? RunsThrough : 0));
+        if (entity.Width > 0.0) tags.Real(43, entity.Width);
         if (entity.Z.Start != 0.0) tags.Real(38, entity.Z.Start);
         foreach (var segment in segments)
         {

@@ -45,5 +45,5 @@ internal static class DxfSegmentWriter
         return end <= 360.0 ? end : end - 360.0;
     }
 
-    private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity) => tags.BeginEntity(type, entity.Layer, entity.Colour, entity.Hidden, entity.Linetype, entity.LinetypeScale);
+    private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity) => tags.BeginEntity(type, entity.Layer, entity.Colour, entity.Hidden, entity.Linetype, entity.LinetypeScale, entity.Lineweight);
 }

@@ -38,6 +38,12 @@ public readonly record struct DxfSheetEntity(Segment Segment, string Layer, stri
     /// <summary>Scale of the pattern of its linetype.</summary>
     public double? LinetypeScale { get; init; }
 
+    /// <summary>Group 370; null for by layer.</summary>
+    public int? Lineweight { get; init; }
+
+    /// <summary>Constant width of a polyline; 0 for none.</summary>
+    public double Width { get; init; }
+
     /// <summary>The pattern of a polyline runs through its vertices.</summary>
     public bool RunsThrough { get; init; }
 

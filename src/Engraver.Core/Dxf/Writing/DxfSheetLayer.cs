@@ -13,6 +13,9 @@ public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
     /// <summary>Its objects cannot be changed.</summary>
     public bool Locked { get; init; }
 
+    /// <summary>Group 370.</summary>
+    public int Lineweight { get; init; } = Drawings.Lineweight.Default;
+
     public string Linetype { get; init; } = "Continuous";
 
     /// <summary>True colour as 0x00RRGGBB, which has precedence over the index; null for none.</summary>

@@ -63,7 +63,7 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
         if (layer.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
         tags.Text(6, layer.Linetype);
         if (!layer.Plots) tags.Integer(290, 0);
-        tags.Integer(370, -3);
+        tags.Integer(370, layer.Lineweight);
     }
 
     private void Style(TextStyle style, int table)

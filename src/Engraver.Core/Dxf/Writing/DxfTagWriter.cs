@@ -55,12 +55,13 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
     public DxfTagWriter Begin(string type, int owner, int handle) => Text(0, type).Handle(type == "DIMSTYLE" ? 105 : 5, handle).Handle(330, owner);
 
     /// <summary>Begins an entity of model space: writes the pairs that all entities have in common.</summary>
-    public DxfTagWriter BeginEntity(string type, string layer, DrawingColour colour, bool hidden, string? linetype = null, double? linetypeScale = null)
+    public DxfTagWriter BeginEntity(string type, string layer, DrawingColour colour, bool hidden, string? linetype = null, double? linetypeScale = null, int? lineweight = null)
     {
         Begin(type, DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer);
         if (linetype is not null) Text(6, linetype);
         if (!colour.IsByLayer && colour.Code62 is { } index) Integer(62, index);
         if (colour.Rgb is { } rgb) Integer(EntityRecord.TrueColour, (int)rgb);
+        if (lineweight is { } weight) Integer(370, weight);
         if (linetypeScale is { } scale) Real(48, scale);
         if (hidden) Integer(60, 1);
         return this;

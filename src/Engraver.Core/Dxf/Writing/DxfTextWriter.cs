@@ -17,7 +17,7 @@ internal static class DxfTextWriter
     {
         var text = entity.Text;
         var isParagraph = text.Type == "MTEXT";
-        tags.BeginEntity(isParagraph ? "MTEXT" : "TEXT", entity.Layer, text.Colour, text.Hidden);
+        tags.BeginEntity(isParagraph ? "MTEXT" : "TEXT", entity.Layer, text.Colour, text.Hidden, lineweight: text.Lineweight == Lineweight.ByLayer ? null : text.Lineweight);
         if (text.Inserts.IsIdentity && isParagraph) WrittenParagraph(tags, text);
         else if (text.Inserts.IsIdentity) WrittenLine(tags, text);
         else if (isParagraph) Paragraph(tags, text);

@@ -8,13 +8,16 @@ internal sealed record GcodeChoice(GcodeDialect Dialect, string WorkOffset, stri
     /// <summary>The spindle switch controls the tool, for example a laser or a pen.</summary>
     public const string BySpindle = "m3";
 
+    /// <summary>The spindle switch counter-clockwise, by which a controller in laser mode makes the power proportional to the speed.</summary>
+    public const string ByDynamicPower = "m4";
+
     /// <summary>The coolant switch controls the tool.</summary>
     public const string ByCoolant = "m8";
 
     /// <summary>A digital output controls the tool.</summary>
     public const string ByOutput = "m64";
 
-    private static readonly string[] s_switches = [BySpindle, ByCoolant, ByOutput];
+    private static readonly string[] s_switches = [BySpindle, ByDynamicPower, ByCoolant, ByOutput];
     private static readonly string[] s_offsets = ["G54", "G55", "G56", "G57", "G58", "G59"];
     private static readonly string[] s_ends = ["m2", "m30"];
 
@@ -33,6 +36,9 @@ internal sealed record GcodeChoice(GcodeDialect Dialect, string WorkOffset, stri
     public static IReadOnlyList<PostOption> Options => [DialectOption, WorkOffsetOption, SwitchOption, SpeedOption, BlendOption, EndOption];
 
     public static GcodeChoice Of(PostRequest request) => new(GcodeDialect.Find(request.Value(DialectOption)), request.Value(WorkOffsetOption), request.Value(SwitchOption), Number(request.Value(SpeedOption))!.Value, Number(request.Value(BlendOption))!.Value, request.Value(EndOption));
+
+    /// <summary>The switch of the tool has an S word.</summary>
+    public bool HasSpeed => Switch is BySpindle or ByDynamicPower;
 
     private static double? Number(string text) => double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number) ? number : null;
 }

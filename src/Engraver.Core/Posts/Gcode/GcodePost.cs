@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Operations;
 using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Posts.Gcode;
@@ -23,6 +24,14 @@ public sealed class GcodePost : IPost
 
     public string? OperationsRefusal => null;
 
+    /// <summary>The S word of a switch is the power of a beam, unless it is the speed of a spindle.</summary>
+    public OperationSupport SupportOf(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        var choice = GcodeChoice.Of(request);
+        return new OperationSupport($"{Name} --tool-switch {choice.Switch}") { HasPower = request.Machine is { Height: null, Spindle: null } && choice.HasSpeed };
+    }
+
     public PostOutput Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
@@ -37,19 +46,26 @@ public sealed class GcodePost : IPost
     private static IEnumerable<Diagnostic> Unfit(GcodeChoice choice, MachineProfile machine)
     {
         if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
+        if (machine.Height is null && choice.Switch == GcodeChoice.ByDynamicPower && !choice.Dialect.HasLaserMode) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
         if (choice.Blend > 0.0 && !choice.Dialect.HasBlending) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, "--blend");
-        if (machine.Height is null && machine.Spindle is not null && choice.Switch == GcodeChoice.BySpindle) yield return PostRules.ToolAndSpindle.At(default);
+        if (machine.Height is null && machine.Spindle is not null && choice.HasSpeed) yield return PostRules.ToolAndSpindle.At(default);
     }
 
-    /// <summary>How the tool is changed, and the speeds that the program cannot set: with another switch of the tool than M3 and without a spindle in the
-    /// profile there is no S word.</summary>
+    /// <summary>How the tool is changed, and the speeds that the program cannot set: with another switch of the tool than M3 and M4 and without a spindle in
+    /// the profile there is no S word.</summary>
     private static IEnumerable<Diagnostic> OfOperations(GcodeChoice choice, PostRequest request)
     {
         if (request.Operations is not { } operations) yield break;
         var changes = operations.Sections.Count - (choice.Dialect.HasToolChange ? 0 : 1);
         if (operations.Sections.Count > 1) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
         foreach (var operation in operations.All.Where(operation => operation.Outputs.Count > 0)) yield return OperationRules.LeftOut.At(default, "gcode", "outputs", operation.Title);
-        if (request.Machine is not { Height: null, Spindle: null } || choice.Switch == GcodeChoice.BySpindle) yield break;
+        if (request.Machine.Height is null && choice.Switch == GcodeChoice.ByDynamicPower)
+        {
+            // The beam is off while the machine is at rest.
+            foreach (var operation in operations.All.Where(operation => operation.PierceSeconds > 0.0)) yield return OperationRules.NotInFormat.At(default, $"gcode --tool-switch {choice.Switch}", "pierce", operation.Title);
+        }
+
+        if (request.Machine is not { Height: null, Spindle: null } || choice.HasSpeed) yield break;
         foreach (var operation in operations.All)
         {
             if (operations.Plan.SpindleOf(operation) is { } speed) yield return OperationRules.SpindleByHand.At(default, operation.Title, FactText.Of(speed));

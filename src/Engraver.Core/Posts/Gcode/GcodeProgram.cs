@@ -26,7 +26,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     private double _feed;
     private double _cutFeed = request.Machine.FeedMmPerMinute;
     private double _plunge = request.Machine.Height?.PlungeMmPerMinute ?? 0.0;
-    private double _speed = request.Operations?.SpindleOf(0) ?? choice.SpindleSpeed;
+    private double _speed = request.Operations?.SpeedOf(0, choice.SpindleSpeed) ?? choice.SpindleSpeed;
     private Operation? _operation;
 
     /// <summary>The program starts and stops a spindle: that of the profile, or that of operations which state its speed on a machine whose tool is not a
@@ -80,7 +80,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         (_cutFeed, _plunge) = (stroke.FeedMmPerMinute ?? _machine.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? _plunge);
         if (request.Operations is not { } operations) return;
         var (operation, before) = (operations.OperationOf(index), _speed);
-        _speed = operations.SpindleOf(index) ?? choice.SpindleSpeed;
+        _speed = operations.SpeedOf(index, choice.SpindleSpeed);
         if (index > 0 && operations.Sections.FirstOrDefault(section => section.FirstStroke == index) is { } section) Change(section.Tool);
         else if (_speed != before) Turn();
         if (operation != _operation) Line($"({Plain(operation.Title)})");
@@ -124,7 +124,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     private void CutWithSwitch(ToolpathStroke stroke)
     {
         Rapid(stroke.Start);
-        ToolOn();
+        ToolOn(stroke.PierceSeconds > 0.0);
         Dwell(_machine.ToolSettleSeconds + stroke.PierceSeconds);
         foreach (var move in stroke.Moves) Cut(move with { StartZ = 0.0, EndZ = 0.0 }, 0.0);
         ToolOff();
@@ -206,8 +206,11 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         return $" F{NumberText.Rounded(mmPerMinute, 4)}";
     }
 
-    private void ToolOn() => Line(choice.Switch switch
+    /// <param name="isAtRest">The tool works before it moves: a controller in laser mode has a beam on only after G1, which needs a feed.</param>
+    private void ToolOn(bool isAtRest) => Line(choice.Switch switch
     {
+        GcodeChoice.BySpindle when isAtRest && choice.Dialect.HasLaserMode => $"G1 M3 S{NumberText.Rounded(_speed, 4)}{Feed(_cutFeed)}",
+        GcodeChoice.ByDynamicPower => $"M4 S{NumberText.Rounded(_speed, 4)}",
         GcodeChoice.BySpindle => $"M3 S{NumberText.Rounded(_speed, 4)}",
         GcodeChoice.ByCoolant => "M8",
         _ => OutputLine(!_machine.ToolActiveLow),
@@ -215,7 +218,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
 
     private void ToolOff() => Line(choice.Switch switch
     {
-        GcodeChoice.BySpindle => "M5",
+        GcodeChoice.BySpindle or GcodeChoice.ByDynamicPower => "M5",
         GcodeChoice.ByCoolant => "M9",
         _ => OutputLine(_machine.ToolActiveLow),
     });

@@ -12,6 +12,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     private const double Decimals = 0.0001;
 
     private const int Clockwise = 30;
+    private const int CounterClockwise = 40;
     private const int SpindleOff = 50;
     private const int CoolantOn = 80;
     private const int CoolantOff = 90;
@@ -51,7 +52,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         foreach (var code in block.Codes('M'))
         {
             var (wasOn, turned) = (IsOn, Turns);
-            if (code is Clockwise or 40 or SpindleOff) _turning = code == SpindleOff ? null : code;
+            if (code is Clockwise or CounterClockwise or SpindleOff) _turning = code == SpindleOff ? null : code;
             else if (code is 70 or CoolantOn or CoolantOff) _coolant = code != CoolantOff;
             else if (code is >= 620 and <= OutputOff && block['P'] == profile.ToolOutput - 1) IsOutputOn = (code is 620 or OutputOn) != profile.ToolActiveLow;
             else if (code is GcodeCodes.ToolChange || (code == GcodeCodes.Stop && strokes is { Tools.Count: > 1 })) Change(code, line);
@@ -96,8 +97,8 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         if (terms is null) return;
         var usual = terms.Required.SpindleSpeed;
         if (passing is { Count: > 0 } && strokes is { Tools.Count: > 1 } && !passing.Any(stroke => stroke.Tool == Tool)) terms.AddDifference(line, $"T{NumberText.Whole(Tool)}", $"T{NumberText.Whole(passing[0].Tool)}");
-        if (!(HasSpindle || (_isSwitched && IsRequired("m3")))) return;
-        List<double> allowed = passing is { Count: > 0 } ? [.. passing.Select(stroke => stroke.Spindle ?? usual)] : strokes is null ? [usual] : [];
+        if (!(HasSpindle || (_isSwitched && (IsRequired("m3") || IsRequired("m4"))))) return;
+        List<double> allowed = passing is { Count: > 0 } ? [.. passing.Select(stroke => stroke.Power is { } percent ? percent / 100.0 * usual : stroke.Spindle ?? usual)] : strokes is null ? [usual] : [];
         if (allowed.Count > 0 && !allowed.Exists(speed => Math.Abs((_speed ?? double.NaN) - speed) <= Decimals)) terms.AddDifference(line, _speed is { } actual ? $"S{NumberText.Rounded(actual, 4)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{NumberText.Rounded(allowed[0], 4)}");
     }
 
@@ -118,14 +119,15 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
             20 or 300 or 480 or SpindleOff or CoolantOff => true,
             GcodeCodes.ToolChange or GcodeCodes.Stop => strokes is { Tools.Count: > 1 }, // the tool itself is compared where it is changed
             Clockwise => HasSpindle || (_isSwitched && IsRequired("m3")),
+            CounterClockwise => _isSwitched && IsRequired("m4"),
             CoolantOn => _isSwitched && IsRequired("m8"),
             OutputOn or OutputOff => _isSwitched && IsRequired("m64") && output == profile.ToolOutput - 1,
             _ => false,
         };
         if (isAsked) return null;
-        if (HasSpindle && code is 40) return "M3";
+        if (HasSpindle && code is CounterClockwise) return "M3";
         if (!_isSwitched) return Wording.Get("GcodeReader.NoCode");
-        return terms.Required.ToolSwitch switch { "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
+        return terms.Required.ToolSwitch switch { "m4" => "M4, M5", "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
     }
 
     private static string Spelled(int code, double? output) => code is >= 620 and <= OutputOff ? $"M{NumberText.Rounded(code / 10.0, 4)} P{NumberText.Rounded(output ?? 0.0, 4)}" : $"M{NumberText.Rounded(code / 10.0, 4)}";

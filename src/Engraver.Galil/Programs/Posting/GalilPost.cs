@@ -4,6 +4,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Core.Operations;
 using Engraver.Core.Posts;
 using Engraver.Galil.Language;
 
@@ -48,6 +49,12 @@ public sealed class GalilPost : IPost
     public MotionStyle? Motion => _style;
 
     public string? OperationsRefusal => null;
+
+    public OperationSupport SupportOf(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        return ProgramSupport.On(Name, request.Machine);
+    }
 
     public IReadOnlyList<PostOption> Options => [Memory, Unattended, Origin];
 

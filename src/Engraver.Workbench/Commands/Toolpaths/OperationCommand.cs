@@ -129,7 +129,7 @@ internal sealed class OperationCommand : ICommand
         foreach (var (operation, index) in plan.Operations.Select((one, index) => (one, index)))
         {
             var tool = plan.ToolOf(operation);
-            output.WriteLine(Wording.Get(operation.IsOn ? "Operation.Line" : "Operation.LineOff", index + 1, operation.Id, operation.Title, operation.Kind, tool.Title, operation.Depth ?? 0.0, plan.FeedOf(operation, settings.Machine)));
+            output.WriteLine(Wording.Get(operation.IsOn ? "Operation.Line" : "Operation.LineOff", index + 1, operation.Id, operation.Title, operation.Kind, tool.Title, operation.DepthByWidth ? Wording.Get("Operation.ByWidth") : Wording.Get("Operation.Millimetres", operation.Depth ?? 0.0), plan.FeedOf(operation, settings.Machine)));
         }
     }
 

@@ -57,6 +57,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : speech.ApplyTerminology(Wording.Get(errorsAccepted ? "ArmingChecklist.DrawingHasAcceptedErrors" : "ArmingChecklist.DrawingHasErrors", CountText.Format(errors, "Error"))));
         yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobSize", CountText.Format(program.SegmentCount, "Segment")) : job.NoProgramReason);
+        foreach (var refused in job.RunRefusals) yield return Check(false, refused.Message.TrimEnd('.'));
     }
 
     private static IEnumerable<ArmingCheck> Values(PreparedJob job)

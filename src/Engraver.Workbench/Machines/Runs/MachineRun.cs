@@ -76,6 +76,7 @@ public static class MachineRun
     private static async Task<MachineRunReport> OnMachineAsync(
         PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
+        if (job.RunRefusals is [var unable, ..]) return MachineRunReport.NotBegun(unable, program, machine.Identity.Model, 0.0);
         using var taken = options.Lease is null ? options.Memories.Acquire(connection.Description, machine.Identity, await machine.ReadPositionAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.LeaseOwner) : null;
         if (taken is { IsPersistent: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
         var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
