@@ -33,6 +33,7 @@ internal static class PlanVerb
         {
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Strategy(parsed, mode, settings);
+            plates.RejectSeveralTools(parsed, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var (series, missing, reported) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
             var job = PlateJob.Prepare(read, settings, strategy.Style, series?.Plates[0], stop);
