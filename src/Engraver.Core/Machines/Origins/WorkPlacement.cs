@@ -35,8 +35,8 @@ public static class WorkPlacement
         return TravelLimits.Refusal(program.Profile, program, frame, dryRun, following) is { } outside ? found with { Frame = null, Refusal = outside } : found with { IsWithinTravel = true };
     }
 
-    /// <summary>The same placement, unless a job that follows at another work origin has no place there, would leave the travel, or would be cut at the place of
-    /// another one.</summary>
+    /// <summary>The same placement, unless a job that follows at another work origin has no place there, would leave the travel, or would be cut at the
+    /// place of another one.</summary>
     /// <param name="own">How the job itself is placed.</param>
     /// <param name="profile">The machine with the depths of the jobs.</param>
     /// <param name="dryRun">The tool stays out of the work.</param>

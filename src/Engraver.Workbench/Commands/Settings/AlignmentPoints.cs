@@ -5,8 +5,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>Asks for the points of an alignment. Points that are picked, or typed one by one, are those of the drawing as it is shown; a pair in one line is that
-/// of the options <c>--align</c> and <c>--to</c>.</summary>
+/// <summary>Asks for the points of an alignment. Points that are picked, or typed one by one, are those of the drawing as it is shown; a pair in one line is
+/// that of the options <c>--align</c> and <c>--to</c>.</summary>
 /// <param name="present">The placement with which the drawing is shown.</param>
 internal sealed class AlignmentPoints(CommandContext context, DrawingPlacement present)
 {

@@ -5,7 +5,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>Asks for the first of two points, in drawing units as <see cref="PointPrompt"/>, or for both as <c>X1,Y1:X2,Y2</c>, millimetres as in the option.</summary>
+/// <summary>Asks for the first of two points, in drawing units as <see cref="PointPrompt"/>, or for both as <c>X1,Y1:X2,Y2</c>, millimetres as in
+/// the option.</summary>
 internal sealed record PointOrPairPrompt(string Instruction) : ValuePrompt<(Point2D First, PointPair? Both)>(Instruction)
 {
     public override PointRequest PointRequest => PointRequest.Place;

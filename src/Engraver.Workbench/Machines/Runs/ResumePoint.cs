@@ -22,9 +22,9 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
     public Diagnostic? Refusal { get; private init; }
 
     /// <summary>Reads the state of an interrupted job from the machine and determines the resume position. If the operator has set a work origin, the job
-    /// resumes at the active or the named one, which must be where the job was started. Otherwise it resumes at its own origin if the controller's zero is unchanged. It is
-    /// refused elsewhere, or if the zero cannot be confirmed, unless the operator requests the work origin explicitly; then, or if the origin was set again,
-    /// the operator also sets the height.</summary>
+    /// resumes at the active or the named one, which must be where the job was started. Otherwise it resumes at its own origin if the controller's zero is
+    /// unchanged. It is refused elsewhere, or if the zero cannot be confirmed, unless the operator requests the work origin explicitly; then, or if the
+    /// origin was set again, the operator also sets the height.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<ResumePoint> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, StoredMachineState memory, CancellationToken cancellation)
     {
