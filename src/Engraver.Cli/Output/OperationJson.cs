@@ -22,6 +22,10 @@ internal sealed record OperationJson(string Id, string Name, string Kind, int To
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public MeasuredJson? Measured { get; init; }
 
+    /// <summary>Planned times and cost; written by <c>plan</c> only, and not where the machine cannot cut the drawing.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public PlanShareJson? Planned { get; init; }
+
     /// <summary>The operations of a job; null for a job without operations.</summary>
     /// <param name="measured">What was measured of them; empty for a plan.</param>
     public static IReadOnlyList<OperationJson>? Of(PreparedJob? job, IReadOnlyList<MeasuredOperation> measured) => job?.Settings.Operations is null

@@ -1,4 +1,6 @@
 using System.Text.Json.Serialization;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Workbench.LetteredDrawings;
 
 namespace Engraver.Cli.Output;
@@ -36,6 +38,20 @@ internal sealed record PlanJson(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PlanSectionJson>? Sections { get; init; }
 
+    /// <summary>The tools of the operations; not written for a job without operations, and where the machine cannot cut the drawing.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<PlanToolJson>? Tools { get; init; }
+
+    /// <summary>What belongs to no operation; written where <see cref="Tools"/> is.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public PlanShareJson? Around { get; init; }
+
+    /// <param name="Tool">Number of the tool.</param>
+    /// <param name="Name">Of the tool; empty for none.</param>
+    /// <param name="Operations">Ids.</param>
+    /// <param name="Length">Of all strokes in plan, mm.</param>
+    internal sealed record PlanToolJson(int Tool, string Name, IReadOnlyList<string> Operations, int Strokes, double Length, PlanShareJson Planned);
+
     /// <param name="Number">From 1.</param>
     /// <param name="Tool">Number of the tool.</param>
     /// <param name="Operations">Ids.</param>
@@ -47,11 +63,18 @@ internal sealed record PlanJson(
         public string Title { get; init; } = "";
     }
 
-    internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
+    internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell)
+    {
+        public static PlanSecondsJson From(MotionTimes times) => new(times.Total, times.Cutting, times.Rapid, times.Dwell);
+    }
 
     /// <param name="Distance">From the drawn line to the area that the tool reaches, mm.</param>
     /// <param name="Whole">The tool reaches no part of the contour.</param>
     internal sealed record PlanUncutJson(double X, double Y, double Distance, bool Whole);
 
-    internal sealed record PlanCostJson(double Time, double Length, double Starts);
+    internal sealed record PlanCostJson(double Time, double Length, double Starts)
+    {
+        /// <returns>Null without a cost.</returns>
+        public static PlanCostJson? From(JobCost? cost) => cost is null ? null : new(cost.Time, cost.Length, cost.Starts);
+    }
 }

@@ -10,17 +10,21 @@ namespace Engraver.Cli.Output;
 internal static class PlanReport
 {
     /// <param name="program">The job's program with feeds limited to the link; null when this machine can cut nothing.</param>
-    /// <param name="times">Times of the program over the link.</param>
-    /// <param name="rates">Null: no cost is computed.</param>
+    /// <param name="sheet">Of the program over the link; null without a program.</param>
     /// <param name="timesOf">Times of a part of the program over the link.</param>
-    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates, Func<MotionProgram, MotionTimes> timesOf)
+    public static PlanJson Json(PreparedJob job, MotionProgram? program, JobSheet? sheet, Func<MotionProgram, MotionTimes> timesOf)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
         PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? job.Shapes.SelectMany(shape => shape.Uncut)).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job, []), Sections = SectionsOf(job, program, timesOf) };
+        if (program is null || sheet is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut, job.Fonts) { Operations = OperationJson.Of(job, []), Sections = SectionsOf(job, program, timesOf) };
         var peaks = MotionPeaks.From(program);
-        var cost = JobSheet.Of(job, times, rates).Cost;
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut, job.Fonts) { Operations = OperationJson.Of(job, []), Sections = SectionsOf(job, program, timesOf) };
+        return new PlanJson(PlanJson.PlanSecondsJson.From(sheet.Times), length, travel, peaks.Speed, peaks.AxisAcceleration, sheet.Cost?.Total, job.NotCut.Counts, PlanJson.PlanCostJson.From(sheet.Cost), uncut, job.Fonts)
+        {
+            Operations = OperationsOf(job, sheet.Shares),
+            Sections = SectionsOf(job, program, timesOf),
+            Tools = sheet.Shares is { } shares ? [.. shares.Tools.Select(one => new PlanJson.PlanToolJson(one.Tool.Number, one.Tool.Name, [.. one.Operations.Select(operation => operation.Id)], one.Share.Strokes, one.Share.CutLength, PlanShareJson.From(one.Share)))] : null,
+            Around = sheet.Shares is { Around: var around } ? PlanShareJson.From(around) : null,
+        };
     }
 
     public static void Text(TextWriter output, PlanJson plan)
@@ -33,6 +37,10 @@ internal static class PlanReport
         output.WriteLine(Wording.Get("PlanReport.Peaks", plan.PeakSpeed, plan.PeakAxisAcceleration));
         if (plan is { Cost: { } cost, CostParts: { } parts }) output.WriteLine(Wording.Get("PlanReport.Cost", cost, parts.Time, parts.Length, parts.Starts));
     }
+
+    /// <summary>Null for a job without operations.</summary>
+    private static IReadOnlyList<OperationJson>? OperationsOf(PreparedJob job, JobShares? shares) =>
+        shares is null ? null : [.. OperationJson.Of(job, [])!.Zip(shares.Operations, (json, one) => json with { Planned = PlanShareJson.From(one.Share) })];
 
     /// <summary>Null for a job of one tool.</summary>
     private static IReadOnlyList<PlanJson.PlanSectionJson>? SectionsOf(PreparedJob job, MotionProgram? program, Func<MotionProgram, MotionTimes> timesOf)

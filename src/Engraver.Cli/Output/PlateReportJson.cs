@@ -9,6 +9,9 @@ namespace Engraver.Cli.Output;
 /// <param name="Y">As X.</param>
 internal sealed record PlateReportJson(int Number, string Text, double X, double Y, PlateValuesJson Values)
 {
+    /// <summary>The work origin of its fixture; null: the active one.</summary>
+    public string? Fixture { get; init; }
+
     /// <summary>How its run ended; null if it was not run.</summary>
     public string? Outcome { get; init; }
 
@@ -21,7 +24,7 @@ internal sealed record PlateReportJson(int Number, string Text, double X, double
 
     public double? MissingLength { get; init; }
 
-    public static PlateReportJson From(Plate plate) => new(plate.Number, plate.Values.ToString(), plate.Offset.X, plate.Offset.Y, PlateValuesJson.From(plate.Values));
+    public static PlateReportJson From(Plate plate) => new(plate.Number, plate.Values.ToString(), plate.Offset.X, plate.Offset.Y, PlateValuesJson.From(plate.Values)) { Fixture = plate.Fixture };
 
     /// <summary>A plate that was run.</summary>
     public static PlateReportJson From(Plate plate, RunJson run) => From(plate) with { Outcome = run.Outcome, Journal = run.Journal, Seconds = run.Seconds, MaxDeviation = run.MaxDeviation, MissingLength = run.MissingLength };

@@ -33,14 +33,15 @@ internal static class PlanVerb
         {
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Strategy(parsed, mode, settings);
+            plates.RejectSeveralTools(parsed, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var (series, missing, reported) = await SeriesAsync(host, parsed, plates, read, settings, stop).ConfigureAwait(false);
             var job = PlateJob.Prepare(read, settings, strategy.Style, series?.Plates[0], stop);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
-            var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
+            var (plan, planned, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
             if (series is not null) plan = plan with { Plates = await StoppableVerb.ComputeAsync(() => Planned(series, read, settings, parsed.GetValue(connect), strategy, stop), stop).ConfigureAwait(false) };
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
-            else if (parsed.GetValue(sheet) && times is { } known) JobSheet.Of(job, known, rates).Write(host.Out);
+            else if (parsed.GetValue(sheet) && planned is not null) planned.Write(host.Out);
             else PlanReport.Text(host.Out, plan);
             if (!parsed.GetValue(json)) series?.Write(host.Out);
             if (!parsed.GetValue(json) && plan.Plates is { Count: > 1 } all) await host.Out.WriteLineAsync(Wording.Get("Plan.AllPlates", all.Count, all.Sum(plate => plate.Seconds ?? 0.0))).ConfigureAwait(false);
@@ -83,11 +84,11 @@ internal static class PlanVerb
         return plates;
     }
 
-    private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)
+    private static (PlanJson Plan, JobSheet? Sheet, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)
     {
-        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null, _ => default), null, []);
+        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, null, _ => default), null, []);
         var fit = JobPlan.FitToLink(program, address, strategy, job.Drawing);
-        var times = JobPlan.PlannedTimes(fit.Program, address, strategy);
-        return (PlanReport.Json(job, fit.Program, times, rates, part => JobPlan.PlannedTimes(part, address, strategy)), times, fit.Diagnostics);
+        var sheet = JobSheet.Of(job, fit.Program, JobPlan.StrokeTimes(fit.Program, address, strategy), rates);
+        return (PlanReport.Json(job, fit.Program, sheet, part => JobPlan.PlannedTimes(part, address, strategy)), sheet, fit.Diagnostics);
     }
 }

@@ -26,7 +26,7 @@ internal static class PlotVerb
         var series = new SeriesOptions();
         var command = new Command("plot", Wording.Get("Plot.Summary"));
         drawing.AddTo(command);
-        series.AddTo(command);
+        series.AddTo(command, withFixtures: false);
         command.Options.Add(output);
         command.Options.Add(what);
         command.Options.Add(journal);

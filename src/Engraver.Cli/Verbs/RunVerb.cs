@@ -67,8 +67,8 @@ internal sealed class RunVerb
     /// <summary>The run is one of several plates, which have been run so far.</summary>
     private bool _isSeries;
 
-    /// <summary>What the plates after the first one reach, until it has started.</summary>
-    private MotionExtents? _following;
+    /// <summary>The plates after the first one, until it has started.</summary>
+    private FollowingJobs? _following;
     private readonly List<PlateReportJson> _plates = [];
 
     /// <summary>Findings of the drawing are the same on every plate.</summary>
@@ -126,6 +126,7 @@ internal sealed class RunVerb
         var strategy = ModeOption.Strategy(parsed, _mode, settings);
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
         if (parsed.GetValue(_trajectory) && _series.Requested(parsed) is { } several) throw new UsageException(Wording.Get("Series.NotWithTrajectory", several));
+        _series.RejectSeveralTools(parsed, settings);
         var file = _drawing.File(parsed);
         var drawing = await StoppableVerb.ComputeAsync(() => DrawingFile.Open(file, settings, stop), stop).ConfigureAwait(false);
         var asksForTexts = !parsed.GetValue(_json) && !_host.Quiet(parsed) && parsed.GetValue(_resume) is null && !parsed.GetValue(_trajectory);
@@ -153,7 +154,7 @@ internal sealed class RunVerb
             if (!_host.Quiet(parsed) && (plan.Count > 1 || plan.First > 0)) plan.Write(_host.Error);
             if (!await LettersAreGoodAsync(parsed, drawing, settings, plan, stop).ConfigureAwait(false)) return ReportNotStarted(null, Wording.Get("Run.DrawingHasErrors"));
             _isSeries = plan.Count > 1;
-            _following = await StoppableVerb.ComputeAsync(() => plan.FollowingExtents(drawing, settings, strategy.Style, stop), stop).ConfigureAwait(false);
+            _following = await StoppableVerb.ComputeAsync(() => plan.Following(drawing, settings, strategy.Style, stop), stop).ConfigureAwait(false);
             for (var index = plan.First; index < plan.End; index++)
             {
                 if (index > plan.First && plan.Series.StartsBlank(index) && !await plan.AskForBlankAsync(_host, index, stop).ConfigureAwait(false))
@@ -197,6 +198,7 @@ internal sealed class RunVerb
     /// <exception cref="UsageException">An option that means one run only.</exception>
     private void RejectForSeveral(ParseResult parsed, SeriesPlan plan)
     {
+        if (plan.Series.Fixtures.Count > 0 && _placement.Origin(parsed) is not OriginRequest.ActiveOrigin) throw new UsageException(Wording.Get("Series.FixturesOrigin"));
         if (plan.Count == 1) return;
         if (parsed.GetValue(_journal) is not null || parsed.GetValue(_trace) is not null) throw new UsageException(Wording.Get("Series.OneFile", parsed.GetValue(_journal) is null ? _trace.Name : _journal.Name));
         if (_placement.Origin(parsed) is OriginRequest.PresentPosition) throw new UsageException(Wording.Get("Series.NotHere"));
@@ -262,7 +264,7 @@ internal sealed class RunVerb
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
             Following = _following,
-            Origin = _placement.Origin(parsed),
+            Origin = turn?.Plate.Fixture is { } fixture ? new OriginRequest.NamedOrigin(fixture) : _placement.Origin(parsed),
             Finish = job.Settings.Finish,
             Memories = PlacementOptions.Memories(parsed.GetRequiredValue(_connect)!),
             LeaseOwner = PlacementOptions.OwnerName,
@@ -362,7 +364,7 @@ internal sealed class RunVerb
     {
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (report.ResumeRefusal is { } unresumed) return ReportNotPlaced(parsed, job, unresumed, checks);
-        if (report.Placement?.Refusal is { } unplaced) return ReportNotPlaced(parsed, job, unplaced, checks);
+        if (report.Placement?.Refusal is { } unplaced) return ReportNotPlaced(parsed, job, unplaced, checks, report.Placement.RefusedOrigin ?? job.Plate?.Fixture);
         Keep(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) }, job);
         if (report.StartRefusal is { } unstarted) _host.Report(parsed, job.Drawing.FileName, [unstarted]);
         if (report.StartRefusal is not null) return ExitCode.Usage;
@@ -388,9 +390,11 @@ internal sealed class RunVerb
     }
 
     /// <summary>The work origin is unknown: nothing was moved.</summary>
-    private int ReportNotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
+    /// <param name="fixture">The work origin by name that is the reason; null for the active one.</param>
+    private int ReportNotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks, string? fixture = null)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
+        if (fixture is not null) _host.Error.WriteLine(Wording.Get("Series.FixtureRefused", fixture));
         Keep(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks), job);
         return s_machineRules.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
     }

@@ -42,6 +42,11 @@ public sealed record DrawingPlacement
     /// <summary>Scale, mirror and rotation, the same in every unit.</summary>
     public Transform2D Shape => new(Scale, Rotation + HalfTurn(Mirror), Mirror != MirrorAxis.None, default);
 
+    /// <summary>What comes after the alignment: the move, and turning over; millimetres.</summary>
+    public Transform2D AfterAlignment => Back == MirrorAxis.None ? Transform2D.Move(Move) : TurnedOver.After(Transform2D.Move(Move));
+
+    private Transform2D TurnedOver => new(1.0, HalfTurn(Back), true, Back == MirrorAxis.X ? new Vector2D(0.0, Blank.Y) : new Vector2D(Blank.X, 0.0));
+
     /// <summary>The difference of the distances of the two pairs of points; 0 without them.</summary>
     public double AlignError => Align is { } from && To is { } to ? Math.Abs(to.Span.Length - from.Span.Length) : 0.0;
 
@@ -54,7 +59,7 @@ public sealed record DrawingPlacement
         if (Place != BlankPlace.None) map = Transform2D.Move(PlaceShift(shaped)).After(map);
         if (Align is { } from && To is { } to) map = Alignment(from, to).After(map);
         map = Transform2D.Move(Move).After(map);
-        if (Back != MirrorAxis.None) map = new Transform2D(1.0, HalfTurn(Back), true, Back == MirrorAxis.X ? new Vector2D(0.0, Blank.Y) : new Vector2D(Blank.X, 0.0)).After(map);
+        if (Back != MirrorAxis.None) map = TurnedOver.After(map);
         return map with { Shift = new Vector2D(scale.ToDrawing(map.Shift.X), scale.ToDrawing(map.Shift.Y)) };
     }
 

@@ -34,10 +34,9 @@ public interface IMachineDriver : IControllerFamily
     /// <param name="address">Null for none: the feed is not limited.</param>
     LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf);
 
-    /// <summary>Planned duration of the program over this link.</summary>
-    /// <param name="program">Adapted to the link.</param>
+    /// <summary>The times of a job that is run over this link.</summary>
     /// <param name="address">Null for none: as over a network.</param>
-    MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy);
+    CommandTimes LinkTimes(ControllerAddress? address, ExecutionStrategy strategy);
 
     /// <summary>The largest part of its time in which a link must transmit the commands of a sequence at its speed, 0 to 1, more if it is too slow; null if the
     /// link has no such limit.</summary>

@@ -8,23 +8,26 @@ namespace Engraver.Core.Motion;
 public static class MotionTime
 {
     /// <summary>The seconds by kind; 0 where nothing is cut.</summary>
-    public static MotionTimes Calculate(MotionProgram program, CommandTimes commands)
+    public static MotionTimes Calculate(MotionProgram program, CommandTimes commands) => ByStroke(program, commands).Total;
+
+    /// <summary>The seconds of each stroke by kind, and those that belong to none.</summary>
+    public static StrokeTimes ByStroke(MotionProgram program, CommandTimes commands)
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(commands);
-        if (program.Strokes.Count == 0) return default;
-        var times = new MotionTimes(0.0, 0.0, commands.Loading(program) + (program.Profile.Spindle?.SpinUpSeconds ?? 0.0));
-        var at = program.Start;
-        if (program.Profile.Height is not null) times += ToolAt(at, on: false, null, program, commands); // it is raised from its present height
+        if (program.Strokes.Count == 0) return new StrokeTimes([], default);
+        var around = new MotionTimes(0.0, 0.0, commands.Loading(program) + (program.Profile.Spindle?.SpinUpSeconds ?? 0.0));
+        var (strokes, at) = (new List<MotionTimes>(program.Strokes.Count), program.Start);
+        if (program.Profile.Height is not null) around += ToolAt(at, on: false, null, program, commands); // it is raised from its present height
         foreach (var stroke in program.Strokes)
         {
-            times += Ready(at, stroke.Terms, commands) + RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, stroke.Terms, program, commands);
+            var times = Ready(at, stroke.Terms, commands) + RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, stroke.Terms, program, commands);
             for (var i = 0; i < stroke.Sequences.Count; i++) times += Cut(stroke.Sequences[i], program, commands);
             at = stroke.Sequences[^1].End;
-            times += Dwell(at, stroke.Terms, commands) + ToolAt(at, on: false, stroke.Terms, program, commands);
+            strokes.Add(times + Dwell(at, stroke.Terms, commands) + ToolAt(at, on: false, stroke.Terms, program, commands));
         }
 
-        return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
+        return new StrokeTimes(strokes, program.Finish is { } finish ? around + RapidTo(finish, at, program, commands) : around);
     }
 
     /// <summary>A rapid in plan: X and Y.</summary>

@@ -22,7 +22,8 @@ internal sealed class TabCheck(ShapedOperation shape)
     /// <param name="pieces">The strokes of a pass of a contour.</param>
     /// <param name="contour">What they cut.</param>
     /// <param name="level">Height of the pass.</param>
-    /// <param name="falls">Differences of the heights of the passes, the largest of which, at most the height of the tabs, determines where a descent has none.</param>
+    /// <param name="falls">Differences of the heights of the passes, the largest of which, at most the height of the tabs, determines where a descent has
+    /// none.</param>
     public bool IsFault(IReadOnlyList<ToolpathStroke> pieces, StrokeContour contour, double level, IReadOnlyList<double> falls)
     {
         var raised = pieces.SelectMany(piece => piece.Moves).Where(move => move.Role == StrokeRole.Tab).ToList();

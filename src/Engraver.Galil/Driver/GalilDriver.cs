@@ -46,7 +46,7 @@ public sealed class GalilDriver : IMachineDriver
         ? LinkFeedFitting.Create(program, line, sourceOf)
         : new LinkFeedFit(program, []);
 
-    public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => JobTime.Estimate(program, LineOf(address), JobModes.Of(strategy));
+    public CommandTimes LinkTimes(ControllerAddress? address, ExecutionStrategy strategy) => JobTime.Commands(LineOf(address), JobModes.Of(strategy));
 
     public double? LinkLoad(VectorSequence sequence, ControllerAddress? address, ExecutionStrategy strategy)
     {

@@ -35,7 +35,12 @@ public static class JobPlan
     /// <summary>Planned duration of the program over this link.</summary>
     /// <param name="program">Adapted to the link (<see cref="FitToLink"/>).</param>
     /// <param name="address">Null: as over a network.</param>
-    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => DriverOf(program).PlannedTimes(program, address, strategy);
+    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => StrokeTimes(program, address, strategy).Total;
+
+    /// <summary>Planned duration of the program over this link, by its strokes.</summary>
+    /// <param name="program">Adapted to the link (<see cref="FitToLink"/>).</param>
+    /// <param name="address">Null: as over a network.</param>
+    public static StrokeTimes StrokeTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => MotionTime.ByStroke(program, DriverOf(program).LinkTimes(address, strategy));
 
     /// <summary>Duration of the program when the host runs it over a network.</summary>
     public static MotionTimes NetworkTimes(MotionProgram program) => MotionTime.Calculate(program, DriverOf(program).NetworkTimes);

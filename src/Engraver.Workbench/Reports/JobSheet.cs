@@ -12,6 +12,9 @@ namespace Engraver.Workbench.Reports;
 /// <param name="Rates">Machining rates; null if undefined.</param>
 public sealed record JobSheet(string Drawing, double CutLength, double Travel, int Starts, MotionTimes Times, JobRates? Rates)
 {
+    /// <summary>The parts of the job; null without operations.</summary>
+    public JobShares? Shares { get; init; }
+
     /// <summary>Null without rates.</summary>
     public JobCost? Cost => Rates?.CostOf(Times.Total, CutLength, Starts);
 
@@ -20,6 +23,14 @@ public sealed record JobSheet(string Drawing, double CutLength, double Travel, i
     {
         ArgumentNullException.ThrowIfNull(job);
         return new JobSheet(Path.GetFileName(job.Drawing.FileName), job.Sequence.PathLength, job.Sequence.Travel, job.Sequence.Strokes.Count, times, rates);
+    }
+
+    /// <param name="program">As it is run over its link.</param>
+    /// <param name="times">Times of the program over its link.</param>
+    public static JobSheet Of(PreparedJob job, MotionProgram program, StrokeTimes times, JobRates? rates)
+    {
+        ArgumentNullException.ThrowIfNull(times);
+        return Of(job, times.Total, rates) with { Shares = JobShares.Of(job, program, times, rates) };
     }
 
     /// <summary>The lines of the sheet: name and value.</summary>
@@ -42,6 +53,7 @@ public sealed record JobSheet(string Drawing, double CutLength, double Travel, i
                 (Wording.Get("JobSheet.Cost"), Wording.Get("JobSheet.Money", cost.Total)),
             ]
             : [],
+        .. Shares is { } shares ? shares.All.Select(share => (share.Title, share.Text)) : [],
     ];
 
     /// <summary>The sheet as text, with names and values in two columns.</summary>

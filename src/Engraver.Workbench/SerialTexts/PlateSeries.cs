@@ -10,14 +10,30 @@ public sealed record PlateSeries(PlateFields Fields, IReadOnlyList<CsvRow?> Rows
 {
     public int Count => Rows.Count;
 
-    /// <summary>Index of the cell of the first plate: the cells before it are done. 0 without a grid.</summary>
+    /// <summary>Names of the work origins at which the plates are engraved, each with all cells of the grid, in this order; empty: the active one.</summary>
+    public IReadOnlyList<string> Fixtures { get; init; } = [];
+
+    /// <summary>Index of the cell of the first plate, counted through all fixtures: the cells before it are done. 0 for one plate on a blank.</summary>
     public int FirstCell { get; init; }
 
-    /// <summary>Index of the cell of a plate; after the last cell the next blank begins.</summary>
-    public int CellOf(int index) => (FirstCell + index) % (Grid?.Cells ?? 1);
+    /// <summary>Number of cells of all fixtures.</summary>
+    public int Cells => (Grid?.Cells ?? 1) * Math.Max(1, Fixtures.Count);
+
+    /// <summary>Index of the cell of a plate, counted through all fixtures; after the last cell the next blank begins.</summary>
+    public int CellOf(int index) => (FirstCell + index) % Cells;
 
     /// <summary>The place of a plate on its blank, millimetres.</summary>
     public Vector2D OffsetOf(int index) => Grid?.OffsetOf(CellOf(index)) ?? default;
+
+    /// <summary>The work origin of a plate; null: the active one.</summary>
+    public string? FixtureOf(int index) => Fixtures.Count == 0 ? null : Fixtures[CellOf(index) / (Grid?.Cells ?? 1)];
+
+    /// <summary>Whether a plate of a journal is the one with this index, by its place.</summary>
+    public bool IsPlaceOf(Plate plate, int index)
+    {
+        ArgumentNullException.ThrowIfNull(plate);
+        return index < Count && plate.Offset == OffsetOf(index) && plate.Fixture == FixtureOf(index);
+    }
 
     /// <summary>Where a series with a CSV file begins after plates that were not finished: with their rows, because these are not engraved yet and the rows
     /// before them are. With <see cref="CounterChoice.Again"/> each row gets the number it had.</summary>
@@ -49,7 +65,7 @@ public sealed record PlateSeries(PlateFields Fields, IReadOnlyList<CsvRow?> Rows
 
     /// <summary>The plate with this index.</summary>
     /// <param name="numbers">Its number of each counter.</param>
-    public Plate At(int index, IReadOnlyDictionary<string, long> numbers, DateTimeOffset now) => new(index + 1, Fields.ValuesOf(Rows[index], numbers, now, index + 1), OffsetOf(index));
+    public Plate At(int index, IReadOnlyDictionary<string, long> numbers, DateTimeOffset now) => new(index + 1, Fields.ValuesOf(Rows[index], numbers, now, index + 1), OffsetOf(index)) { Fixture = FixtureOf(index) };
 
     /// <summary>True if another blank must be placed before this plate.</summary>
     public bool StartsBlank(int index) => index > 0 && CellOf(index) == 0;

@@ -37,7 +37,7 @@ public sealed record PlateValuesJson
     };
 }
 
-internal sealed record PlateJson(int Number, double X, double Y, PlateValuesJson Values);
+internal sealed record PlateJson(int Number, double X, double Y, PlateValuesJson Values, string? Fixture = null);
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, RespectNullableAnnotations = true, RespectRequiredConstructorParameters = true)]
 [JsonSerializable(typeof(PlateValuesJson))]

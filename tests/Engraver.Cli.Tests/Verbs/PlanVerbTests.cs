@@ -73,6 +73,46 @@ public class PlanVerbTests
         Assert.Contains("Cut length      0.457 m\n", sheet.Out, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public async Task Operations_and_tools_have_times_and_costs_whose_sums_are_those_of_the_job()
+    {
+        string[] job = ["plan", SampleDrawing.PathOf("finished-plate"), "--cut", "text", "--operations", Sample("finished-plate.operations.json"), "--machine", Sample("machine-mill.json"), "--rate", "72,10.5,0.25"];
+        var plan = JsonText.Of(await CliRun.RunAsync([.. job, "--json"]));
+        var (operations, tools, around) = (plan.GetProperty("operations").EnumerateArray().ToList(), plan.GetProperty("tools").EnumerateArray().ToList(), plan.GetProperty("around"));
+        var one = JsonText.Of(await CliRun.RunAsync([.. job, "--json", "--tool-number", tools[1].GetProperty("tool").ToString()]));
+        var sheet = await CliRun.RunAsync([.. job, "--sheet"]);
+
+        foreach (var parts in new[] { operations, tools })
+        {
+            Assert.Equal(plan.GetProperty("cutLength").GetDouble(), parts.Sum(part => part.GetProperty("length").GetDouble()), precision: 6);
+            foreach (var (of, name) in new[] { ("seconds", "total"), ("seconds", "cutting"), ("seconds", "rapid"), ("seconds", "dwell"), ("costParts", "time"), ("costParts", "length"), ("costParts", "starts") })
+            {
+                Assert.Equal(plan.GetProperty(of).GetProperty(name).GetDouble(), around.GetProperty(of).GetProperty(name).GetDouble() + parts.Sum(part => part.GetProperty("planned").GetProperty(of).GetProperty(name).GetDouble()), precision: 6);
+            }
+
+            Assert.Equal(plan.GetProperty("cost").GetDouble(), around.GetProperty("cost").GetDouble() + parts.Sum(part => part.GetProperty("planned").GetProperty("cost").GetDouble()), precision: 6);
+            Assert.Equal(plan.GetProperty("costParts").GetProperty("starts").GetDouble(), 0.25 * parts.Sum(part => part.GetProperty("strokes").GetInt32()), precision: 6);
+        }
+
+        Assert.Equal(one.GetProperty("seconds").GetProperty("cutting").GetDouble(), tools[1].GetProperty("planned").GetProperty("seconds").GetProperty("cutting").GetDouble(), precision: 6);
+        Assert.True(around.GetProperty("seconds").GetProperty("rapid").GetDouble() > 0.0);
+        var lines = sheet.Out.Split('\n');
+        Assert.Equal((operations.Count, tools.Count, 1), (lines.Count(line => line.StartsWith("Operation ", StringComparison.Ordinal)), lines.Count(line => line.StartsWith("Tool ", StringComparison.Ordinal)), lines.Count(line => line.StartsWith("Start and finish ", StringComparison.Ordinal))));
+        Assert.Contains(FormattableString.Invariant($"cost {operations[0].GetProperty("planned").GetProperty("cost").GetDouble():0.00}"), lines.First(line => line.StartsWith("Operation ", StringComparison.Ordinal)), StringComparison.Ordinal);
+
+        static string Sample(string name) => Path.Combine(Engraver.TestKit.RepositoryFolder.Samples, name);
+    }
+
+    [Fact]
+    public async Task Operations_without_rates_have_times_and_no_cost()
+    {
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("operation-plate"), "--operations", Path.Combine(Engraver.TestKit.RepositoryFolder.Samples, "operation-plate.operations.json"), "--machine", Path.Combine(Engraver.TestKit.RepositoryFolder.Samples, "machine-mill.json"), "--json"));
+        var planned = plan.GetProperty("operations")[0].GetProperty("planned");
+
+        Assert.True(planned.GetProperty("seconds").GetProperty("cutting").GetDouble() > 0.0);
+        Assert.Equal((System.Text.Json.JsonValueKind.Null, System.Text.Json.JsonValueKind.Null), (planned.GetProperty("cost").ValueKind, planned.GetProperty("costParts").ValueKind));
+    }
+
     [Theory]
     [InlineData("free")]
     [InlineData("-1")]

@@ -29,6 +29,23 @@ public class ReportVerbTests
     }
 
     [Fact]
+    public async Task Every_operation_and_tool_has_a_line_with_its_cost()
+    {
+        using var folder = new TemporaryFolder();
+        string[] words = [folder.WithFile("report-operations.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("operation-plate"))), "--operations", Path.Combine(RepositoryFolder.Samples, "operation-plate.operations.json"), "--machine", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), "--rate", "60,2.5,0.75"];
+        await CliRun.RunAsync(["report", .. words, "-o", folder.PathOf("a.html")]);
+        var plan = JsonText.Of(await CliRun.RunAsync(["plan", .. words, "--json"]));
+        var sheet = Section(Read(folder.PathOf("a.html")), "sheet");
+
+        Assert.All(plan.GetProperty("operations").EnumerateArray(), one => Assert.Equal(Cost(one.GetProperty("planned")), Figure(sheet, $"operations.{one.GetProperty("id").GetString()}.planned.cost")));
+        Assert.All(plan.GetProperty("tools").EnumerateArray(), one => Assert.Equal(Cost(one.GetProperty("planned")), Figure(sheet, $"tools.{one.GetProperty("tool")}.planned.cost")));
+        Assert.Equal(Cost(plan.GetProperty("around")), Figure(sheet, "around.cost"));
+        Assert.Contains("strokes 8, length ", Cell(sheet, "operations.outline.planned.cost").Value, StringComparison.Ordinal);
+
+        static double Cost(JsonElement part) => part.GetProperty("cost").GetDouble();
+    }
+
+    [Fact]
     public async Task After_a_run_it_has_the_outcome_the_deviation_the_list_and_the_certificate()
     {
         using var folder = new TemporaryFolder();

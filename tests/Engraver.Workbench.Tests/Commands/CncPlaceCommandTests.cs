@@ -1,5 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
@@ -70,6 +72,50 @@ public class CncPlaceCommandTests
         await talk.TypeAsync("CNCPLACE", "AL", "0,0:90,0", "0,0:0,91");
         Assert.Contains("differ by 1 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("0,0 and 90,0 at 0,0 and 0,90, on a blank of 100 x 80 mm, on its back, turned about X", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_scale_is_a_factor_or_a_ratio()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "S", "1:0", "1:2");
+        Assert.Equal(0.5, talk.State.Settings.Placement.Scale);
+        Assert.Contains("1:0", talk.Said, StringComparison.Ordinal);
+
+        await talk.TypeAsync("CNCPLACE", "S", "");
+        Assert.Equal(0.5, talk.State.Settings.Placement.Scale);
+    }
+
+    [Fact]
+    public async Task Points_are_picked_on_the_drawing_as_shown_and_cut_where_they_are_picked_whatever_was_placed_before()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("CNCPLACE", "S", "0.5", "CNCPLACE", "M", "X", "CNCPLACE", "R", "30", "CNCPLACE", "MO", "10,5", "CNCPLACE", "B", "100,80", "CNCPLACE", "K", "Y");
+        Point2D[] drawn = [new(10.0, 10.0), new(70.0, 10.0)];
+        Assert.NotEqual(new Point2D(20.0, 30.0), talk.State.Drawing!.Placed(drawn[0]));
+
+        await talk.TypeAsync("CNCPLACE", "AL");
+        Assert.Equal(PointPurpose.Place, talk.Session.Prompt.PointRequest!.Purpose);
+        await talk.TypeAsync(Shown(0));
+        Assert.Equal(PointPurpose.Place, talk.Session.Prompt.PointRequest!.Purpose);
+        await talk.TypeAsync(Shown(0), Shown(1), "20,30", "@30<90");
+
+        Assert.Contains("two different points", talk.Said, StringComparison.Ordinal);
+        Assert.Equal([(20.0, 30.0), (20.0, 60.0)], drawn.Select(point => talk.State.Drawing!.Placed(point)).Select(point => (Math.Round(point.X, 4), Math.Round(point.Y, 4))));
+        Assert.Equal((new Vector2D(10.0, 5.0), MirrorAxis.Y), (talk.State.Settings.Placement.Move, talk.State.Settings.Placement.Back));
+
+        string Shown(int index) => PointPrompt.Format(talk.State.Drawing!.Placed(drawn[index]));
+    }
+
+    [Fact]
+    public async Task The_position_of_the_machine_is_a_point()
+    {
+        await using var talk = await OpenAsync();
+        Assert.Contains("CNCCONNECT", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCPLACE", "AL", "0,0", "90,0", "Machine")).Message, StringComparison.Ordinal);
+
+        await talk.TypeAsync("CNCCONNECT", "sim:", "CNCGOTO", "12,-4", "CNCZERO", "All", "CNCGOTO", "32,6", "CNCPLACE", "AL", "0,0", "90,0", "Machine", "20,100");
+
+        Assert.Equal([(20.0, 10.0), (20.0, 100.0)], new[] { default, new Point2D(90.0, 0.0) }.Select(point => talk.State.Drawing!.Placed(point)).Select(point => (Math.Round(point.X, 6), Math.Round(point.Y, 6))));
     }
 
     [Fact]

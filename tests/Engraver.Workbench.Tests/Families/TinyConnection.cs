@@ -1,5 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
+using Engraver.Core.Motion;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
@@ -90,7 +91,7 @@ internal sealed class TinyConnection(TinyChannel channel, string model, TinyDriv
 
     public Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) => Task.FromResult(new HomingResult(JobResult.NotStarted(0, NotOffered), null));
 
-    public double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy) => driver.PlannedTimes(program, null, strategy).Total;
+    public double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy) => MotionTime.Calculate(program, driver.LinkTimes(null, strategy)).Total;
 
     public ValueTask DisposeAsync() => channel.DisposeAsync();
 

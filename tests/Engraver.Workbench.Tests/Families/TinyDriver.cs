@@ -48,7 +48,7 @@ internal sealed class TinyDriver : IMachineDriver
 
     public double? LinkLoad(VectorSequence sequence, ControllerAddress? address, ExecutionStrategy strategy) => null;
 
-    public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => MotionTime.Calculate(program, NetworkTimes);
+    public CommandTimes LinkTimes(ControllerAddress? address, ExecutionStrategy strategy) => NetworkTimes;
 
     public async Task<IMachineConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation)
     {

@@ -102,14 +102,23 @@ internal sealed class SeriesPlan
         return [.. errors.SelectMany(one => one.Found)];
     }
 
-    /// <summary>What the plates after the first one reach, from the work origin.</summary>
-    /// <returns>Null for a single plate, and for a machine without travel limits, where it does not matter.</returns>
+    /// <summary>The plates after the first one: their work origins, and what they reach there.</summary>
+    /// <returns>Null for a single plate.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
-    public MotionExtents? FollowingExtents(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken stop)
+    public FollowingJobs? Following(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken stop)
+    {
+        var own = _plates[0].Fixture;
+        return Count == 1 ? null : new FollowingJobs(
+            Reached(_plates.Skip(1).Where(plate => plate.Fixture == own), drawing, settings, style, stop),
+            [.. _plates.Where(plate => plate.Fixture is not null && plate.Fixture != own).GroupBy(plate => plate.Fixture!, (name, there) => (name, Reached(there, drawing, settings, style, stop)))]);
+    }
+
+    /// <returns>Null for no plate, and for a machine without travel limits, where it does not matter.</returns>
+    private static MotionExtents? Reached(IEnumerable<Plate> plates, Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken stop)
     {
         if (TravelLimits.Of(settings.Machine).Count == 0) return null;
         MotionExtents? all = null;
-        foreach (var plate in _plates.Skip(1))
+        foreach (var plate in plates)
         {
             if (PlateJob.Prepare(drawing, settings, style, plate, stop).Motion.Program is not { } program) continue;
             var reached = MotionExtents.Of(program);
@@ -183,7 +192,7 @@ internal sealed class SeriesPlan
     private static int FirstCopy(PlateSeries series, IReadOnlyList<StartedPlate> unfinished, string drawing)
     {
         if (unfinished.Count == 0 || !unfinished[0].IsOf(drawing) || JournalPlate.Read(unfinished[0].Journal) is not { } plate) return 0;
-        return plate.Values.Row is null && plate.Number <= series.Count && plate.Offset == series.OffsetOf(plate.Number - 1) ? plate.Number - 1 : 0;
+        return plate.Values.Row is null && series.IsPlaceOf(plate, plate.Number - 1) ? plate.Number - 1 : 0;
     }
 
     private static Plate Interrupted(string journal, PlateSeries series, bool isSeries)
@@ -191,7 +200,7 @@ internal sealed class SeriesPlan
         if (JournalPlate.Read(journal) is not { } plate) throw new UsageException(Wording.Get("Series.JournalWithoutPlate", journal));
         if (!isSeries) return plate;
         var row = plate.Number <= series.Count ? series.Rows[plate.Number - 1] : null;
-        var isThere = plate.Number <= series.Count && plate.Offset == series.OffsetOf(plate.Number - 1) && (row is null ? plate.Values.Row is null : series.Fields.Used(row) == plate.Values.Row);
+        var isThere = series.IsPlaceOf(plate, plate.Number - 1) && (row is null ? plate.Values.Row is null : series.Fields.Used(row) == plate.Values.Row);
         return isThere ? plate : throw new UsageException(Wording.Get("Series.OtherPlate", journal, plate));
     }
 }

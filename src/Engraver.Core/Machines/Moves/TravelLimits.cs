@@ -77,16 +77,23 @@ public static class TravelLimits
     {
         ArgumentNullException.ThrowIfNull(profile);
         ArgumentNullException.ThrowIfNull(program);
-        if (Of(profile).Count == 0) return null;
-        var extents = following?.Union(MotionExtents.Of(program)) ?? MotionExtents.Of(program);
+        return Of(profile).Count == 0 ? null : Refusal(profile, following?.Union(MotionExtents.Of(program)) ?? MotionExtents.Of(program), program.Profile, frame, dryRun);
+    }
+
+    /// <summary>The same check for jobs that reach these counts of their frame.</summary>
+    /// <param name="tool">The profile for which they were made, with their depths.</param>
+    public static Diagnostic? Refusal(MachineProfile profile, MotionExtents extents, MachineProfile tool, CountsPoint frame, bool dryRun)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        ArgumentNullException.ThrowIfNull(tool);
         if (Refusal(profile, [extents.MinX + frame.X, extents.MinY + frame.Y], [extents.MaxX + frame.X, extents.MaxY + frame.Y]) is { } inPlan) return inPlan;
-        if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
+        if (extents.Heights(tool, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
         var (least, most) = (heights.Min + frame.Z, heights.Max + frame.Z);
         if (least >= limit.Min && most <= limit.Max) return null;
         var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), NumberText.Rounded(axis.Scale.ToMillimetres(least < limit.Min ? least : most), 3));
         var (down, up) = (NumberText.Rounded(axis.Travel!.Min, 3), NumberText.Rounded(axis.Travel.Max, 3));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, NumberText.Rounded(axis.Scale.ToMillimetres(DryRunLift.Of(program.Profile, extents)), 3), name, place, down, up)
+            ? PreparationRules.DryRunOutsideTravel.At(default, NumberText.Rounded(axis.Scale.ToMillimetres(DryRunLift.Of(tool, extents)), 3), name, place, down, up)
             : PreparationRules.HeightOutsideTravel.At(default, name, place, down, up);
     }
 

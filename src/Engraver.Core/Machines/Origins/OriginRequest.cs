@@ -12,6 +12,10 @@ public abstract record OriginRequest
     /// <summary>The active work origin of the machine.</summary>
     public sealed record ActiveOrigin : OriginRequest;
 
+    /// <summary>A work origin by its name. It must be set; the active one remains selected.</summary>
+    /// <param name="Name">One of <see cref="WorkOriginNames.All"/>.</param>
+    public sealed record NamedOrigin(string Name) : OriginRequest;
+
     /// <summary>The machine is at the drawing's start point, and with a Z axis its tool at the height 0 of the drawing.</summary>
     public sealed record PresentPosition : OriginRequest;
 

@@ -11,6 +11,9 @@ public sealed record PlacementResult(CountsPoint? Frame, OriginSource Source, Di
     /// <summary>No origin was set: the controller counts 0, and that point is taken.</summary>
     public bool IsAssumed { get; init; }
 
+    /// <summary>The work origin of a following job that is the reason of <see cref="Refusal"/>; null where it is the job itself.</summary>
+    public string? RefusedOrigin { get; init; }
+
     /// <summary>The job was compared with the travel of the machine and does not leave it; also false where the travel is unknown.</summary>
     public bool IsWithinTravel { get; init; }
 }

@@ -116,17 +116,24 @@ public sealed record StoredMachineState
 
     /// <summary>Called before a job uses the active origin: where the file of an older version does not state with which axes and counts per millimetre it was
     /// set, and the machine homed, those of this profile are taken.</summary>
-    public StoredMachineState UsedBy(MachineProfile profile)
+    public StoredMachineState UsedBy(MachineProfile profile) => UsedBy(profile, Active);
+
+    /// <summary>The same for the origin with a name.</summary>
+    public StoredMachineState UsedBy(MachineProfile profile, string name)
     {
         ArgumentNullException.ThrowIfNull(profile);
         var axes = StoredAxes.Of(profile);
         var homed = WasHomedBy(profile) ? this with { HomedAxes = HomedAxes.Or(axes.WithoutLetters()) } : this;
-        return ActiveOrigin is { IsAssumed: false } origin ? homed.With(Active, origin with { Axes = origin.Axes.Or(axes).For(origin) }) : homed;
+        return Origins.GetValueOrDefault(name) is { IsAssumed: false } origin ? homed.With(name, origin with { Axes = origin.Axes.Or(axes).For(origin) }) : homed;
     }
 
     /// <summary>Returns the memory with the point at which the controller counts 0 as the active origin, as long as none is set.</summary>
     /// <param name="hasHeight">The machine has a Z axis.</param>
-    public StoredMachineState AssumeZero(bool hasHeight = false) => With(Active, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
+    public StoredMachineState AssumeZero(bool hasHeight = false) => AssumeZero(Active, hasHeight);
+
+    /// <summary>The same for the origin with a name.</summary>
+    /// <param name="hasHeight">The machine has a Z axis.</param>
+    public StoredMachineState AssumeZero(string name, bool hasHeight) => With(name, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
 
     /// <summary>Returns the memory without the origins: the controller now counts from another zero, and their positions are lost.</summary>
     public StoredMachineState Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedAxes = default, HomingIsAssumed = false };

@@ -17,7 +17,8 @@ public static class WorkPlacement
         {
             OriginRequest.PresentPosition => Present(place, start),
             OriginRequest.MachinePoint { Machine: var at } => Given(memory, place, at, profile),
-            OriginRequest.ActiveOrigin => Work(memory, place, profile),
+            OriginRequest.ActiveOrigin => Work(memory, place, profile, assumesZero: true),
+            OriginRequest.NamedOrigin { Name: var name } => Work(memory with { Active = name }, place, profile, assumesZero: false) with { IsAssumed = memory.Origins.GetValueOrDefault(name) is { IsAssumed: true } },
             _ => throw new ArgumentOutOfRangeException(nameof(request)),
         };
     }
@@ -32,6 +33,34 @@ public static class WorkPlacement
         ArgumentNullException.ThrowIfNull(memory);
         if (found.Frame is not { } frame || !memory.IsTravelKnown(program.Profile, place)) return found;
         return TravelLimits.Refusal(program.Profile, program, frame, dryRun, following) is { } outside ? found with { Frame = null, Refusal = outside } : found with { IsWithinTravel = true };
+    }
+
+    /// <summary>The same placement, unless a job that follows at another work origin has no place there, would leave the travel, or would be cut at the
+    /// place of another one.</summary>
+    /// <param name="own">How the job itself is placed.</param>
+    /// <param name="profile">The machine with the depths of the jobs.</param>
+    /// <param name="dryRun">The tool stays out of the work.</param>
+    public static PlacementResult Followed(PlacementResult found, OriginRequest own, FollowingJobs following, MachineProfile profile, bool dryRun, StoredMachineState memory, ControllerPosition place)
+    {
+        ArgumentNullException.ThrowIfNull(found);
+        ArgumentNullException.ThrowIfNull(following);
+        ArgumentNullException.ThrowIfNull(memory);
+        var taken = new Dictionary<(long X, long Y), string>();
+        if (found is { Frame: { } at, IsAssumed: false } && own is OriginRequest.NamedOrigin { Name: var first }) taken[(at.X, at.Y)] = first;
+        foreach (var (name, reached) in following.Elsewhere)
+        {
+            var other = Find(memory, place, new OriginRequest.NamedOrigin(name), profile, default);
+            var refusal = other.Refusal;
+            if (other.Frame is { } frame)
+            {
+                if (reached is { } extents && memory.IsTravelKnown(profile, place)) refusal = TravelLimits.Refusal(profile, extents, profile, frame, dryRun);
+                if (!other.IsAssumed && !taken.TryAdd((frame.X, frame.Y), name)) refusal ??= PreparationRules.SamePlace.At(default, taken[(frame.X, frame.Y)], name);
+            }
+
+            if (refusal is not null) return found with { Frame = null, Refusal = refusal, IsWithinTravel = false, RefusedOrigin = name };
+        }
+
+        return found;
     }
 
     /// <summary>Why a position from the controller's own zero is not a certain position of the machine; null when it is one.</summary>
@@ -113,7 +142,8 @@ public static class WorkPlacement
     /// the start states it; otherwise null.</summary>
     private static int? HeightOf(WorkOrigin? origin, ControllerPosition place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
 
-    private static PlacementResult Work(StoredMachineState memory, ControllerPosition place, MachineProfile profile)
+    /// <param name="assumesZero">An origin that is not set is where the controller counts 0, if the machine is there.</param>
+    private static PlacementResult Work(StoredMachineState memory, ControllerPosition place, MachineProfile profile, bool assumesZero)
     {
         if (ZeroDoubt(memory, place) is { } lost) return Refused(lost);
         if (memory.ActiveOrigin is { } origin)
@@ -124,7 +154,7 @@ public static class WorkPlacement
             return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, MachineAxes.Names[2].ToString()));
         }
 
-        if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
+        if (assumesZero && place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
         var plane = $"{NumberText.Rounded(scale.X.ToMillimetres(place.Position.X), 3)}, {NumberText.Rounded(scale.Y.ToMillimetres(place.Position.Y), 3)}";
         return Refused(PreparationRules.NoOrigin.At(default, memory.Active, profile.Axes.Z is null ? plane : $"{plane}, {NumberText.Rounded(scale.ToMillimetres(place.Position.Z), 3)}"));

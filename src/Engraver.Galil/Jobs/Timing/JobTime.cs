@@ -12,7 +12,8 @@ public static class JobTime
     /// <param name="line">The serial line; null for a network or the simulated controller.</param>
     public static MotionTimes Estimate(MotionProgram program, SerialLine? line, JobMode mode) => MotionTime.Calculate(program, Commands(line, mode));
 
-    private static CommandTimes Commands(SerialLine? line, JobMode mode) => (line, mode) switch
+    /// <param name="line">As for <see cref="Estimate"/>.</param>
+    public static CommandTimes Commands(SerialLine? line, JobMode mode) => (line, mode) switch
     {
         (_, JobMode.Program) => new ProgramTimes(line),
         (null, _) => DmcTimes.Ethernet,

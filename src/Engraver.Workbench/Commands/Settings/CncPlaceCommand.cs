@@ -19,12 +19,12 @@ internal sealed class CncPlaceCommand : ICommand
         var option = await context.ChoiceAsync(Wording.Get("CncPlace.EnterOption", PlacementText.Of(present)), Keyword.List("Scale", "Mirror", "Rotate", "Place", "ALign", "MOve", "Blank", "bacK", "None"), "Scale").ConfigureAwait(false);
         var placement = option switch
         {
-            "Scale" => present with { Scale = await NumberAsync(context, "CncPlace.EnterScale", SettingTable.Scale, present.Scale).ConfigureAwait(false) },
+            "Scale" => present with { Scale = await TypedAsync(context, "CncPlace.EnterScale", SettingTable.Scale).ConfigureAwait(false) },
             "Mirror" => present with { Mirror = await AxisAsync(context, "CncPlace.EnterMirror", present.Mirror).ConfigureAwait(false) },
             "Rotate" => present with { Rotation = Angle.FromDegrees(await NumberAsync(context, "CncPlace.EnterRotation", SettingTable.Rotate, present.Rotation.Degrees).ConfigureAwait(false)) },
             "MOve" => present with { Move = await TypedAsync(context, "CncPlace.EnterMove", SettingTable.Move).ConfigureAwait(false) },
             "Place" => present with { Place = await PlaceAsync(context, present.Place).ConfigureAwait(false) },
-            "ALign" => await AlignedAsync(context, present).ConfigureAwait(false),
+            "ALign" => await AlignedAsync(new AlignmentPoints(context, present), present, cancellation).ConfigureAwait(false),
             "Blank" => present with { Blank = await TypedAsync(context, "CncPlace.EnterBlank", SettingTable.Blank).ConfigureAwait(false) },
             "bacK" => present with { Back = await AxisAsync(context, "CncPlace.EnterBack", present.Back).ConfigureAwait(false) },
             _ => DrawingPlacement.None,
@@ -53,11 +53,11 @@ internal sealed class CncPlaceCommand : ICommand
     private static async Task<BlankPlace> PlaceAsync(CommandContext context, BlankPlace present) =>
         Enum.Parse<BlankPlace>(await context.ChoiceAsync(Wording.Get("CncPlace.EnterPlace"), Keyword.List("None", "COrner", "CEntre"), present switch { BlankPlace.Corner => "COrner", BlankPlace.Centre => "CEntre", _ => "None" }).ConfigureAwait(false), ignoreCase: true);
 
-    private static async Task<DrawingPlacement> AlignedAsync(CommandContext context, DrawingPlacement present) => present with
+    private static async Task<DrawingPlacement> AlignedAsync(AlignmentPoints points, DrawingPlacement present, CancellationToken cancellation) => present with
     {
         Place = BlankPlace.None,
-        Align = await TypedAsync(context, "CncPlace.EnterAlign", SettingTable.Align).ConfigureAwait(false),
-        To = await TypedAsync(context, "CncPlace.EnterTo", SettingTable.To).ConfigureAwait(false),
+        Align = await points.OfDrawingAsync(cancellation).ConfigureAwait(false),
+        To = await points.OfMachineAsync(cancellation).ConfigureAwait(false),
     };
 
     /// <summary>Asks until the text is a value of the setting's option.</summary>

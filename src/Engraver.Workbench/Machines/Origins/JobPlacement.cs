@@ -29,11 +29,11 @@ public sealed class JobPlacement
 
     /// <summary>Queries the machine position and computes the placement from the stored work origin.</summary>
     /// <param name="dryRun">The tool stays off; a tool axis stays raised.</param>
-    /// <param name="following">What the jobs after it reach at the same place; null for none.</param>
+    /// <param name="following">The jobs after it; null for none.</param>
     /// <param name="time">Provides the number of the mark in the controller.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     /// <exception cref="MachineMemoryException">The result cannot be stored.</exception>
-    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineLease lease, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, MotionExtents? following, TimeProvider time, CancellationToken cancellation)
+    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineLease lease, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, FollowingJobs? following, TimeProvider time, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(machine);
         ArgumentNullException.ThrowIfNull(lease);
@@ -41,10 +41,18 @@ public sealed class JobPlacement
         var place = await machine.ReadPositionAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
         lease.CompareZero(place);
         var found = WorkPlacement.Find(lease.Memory, place, origin, program.Profile, program.Start);
-        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, lease.Memory, place, following);
+        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, lease.Memory, place, following?.Here);
+        if (found.Frame is not null && following is not null) found = WorkPlacement.Followed(found, origin, following, program.Profile, dryRun, lease.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(lease, found, program);
-        if (found.Source == OriginSource.Work) await ConfirmZeroAsync(machine, lease, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory.UsedBy(program.Profile), time, cancellation).ConfigureAwait(false);
+        if (found.Source == OriginSource.Work) await ConfirmZeroAsync(machine, lease, place, memory => Used(memory, origin, found, program.Profile), time, cancellation).ConfigureAwait(false);
         return new JobPlacement(lease, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = lease.Memory.IsTravelKnown(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), UnknownMotorTypes = UnknownMotorTypesOf(program.Profile.Axes, place) };
+    }
+
+    /// <summary>The memory after an origin was used by a job.</summary>
+    private static StoredMachineState Used(StoredMachineState memory, OriginRequest origin, PlacementResult found, MachineProfile profile)
+    {
+        if (origin is OriginRequest.NamedOrigin { Name: var name }) return memory.UsedBy(profile, name);
+        return found.IsAssumed ? memory.AssumeZero(profile.Axes.Z is not null) : memory.UsedBy(profile);
     }
 
     /// <summary>Records that the machine is about to move.</summary>

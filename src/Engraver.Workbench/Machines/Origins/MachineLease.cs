@@ -117,6 +117,15 @@ public sealed class MachineLease : IDisposable
         Update(memory => memory.AssumeHomed(profile));
     }
 
+    /// <summary>For a simulated machine without stored state: work origins that are not set are at its start position.</summary>
+    /// <param name="hasHeight">The machine has a Z axis.</param>
+    /// <exception cref="InvalidOperationException">The machine has stored state.</exception>
+    public void AssumeOrigins(IEnumerable<string> names, bool hasHeight)
+    {
+        if (IsPersistent) throw new InvalidOperationException("The origins of a real machine are set.");
+        Update(memory => names.Where(name => !memory.Origins.ContainsKey(name)).Aggregate(memory, (assumed, name) => assumed.AssumeZero(name, hasHeight)));
+    }
+
     /// <summary>Processes a position query of the controller.</summary>
     public void CompareZero(ControllerPosition place)
     {

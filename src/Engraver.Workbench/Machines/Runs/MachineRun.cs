@@ -78,7 +78,12 @@ public static class MachineRun
     {
         if (job.RunRefusals is [var unable, ..]) return MachineRunReport.NotBegun(unable, program, machine.Identity.Model, 0.0);
         using var taken = options.Lease is null ? options.Memories.Acquire(connection.Description, machine.Identity, await machine.ReadPositionAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.LeaseOwner) : null;
-        if (taken is { IsPersistent: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
+        if (taken is { IsPersistent: false } && connection.Simulator is not null)
+        {
+            taken.AssumeHomed(program.Profile);
+            taken.AssumeOrigins(options.NamedOrigins, program.Profile.Axes.Z is not null);
+        }
+
         var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var section = options.DryRun ? null : JobSection.At(job, program, beginning.Place); // a dry run needs no other tool

@@ -21,11 +21,14 @@ public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrat
     /// <summary>Position of the drawing's zero.</summary>
     public OriginRequest Origin { get; init; } = new OriginRequest.ActiveOrigin();
 
+    /// <summary>The work origins that this job and those that follow request by name.</summary>
+    public IEnumerable<string> NamedOrigins => [.. Origin is OriginRequest.NamedOrigin { Name: var own } ? new[] { own } : [], .. Following?.Elsewhere.Select(one => one.Origin) ?? []];
+
     /// <summary>Target of the machine after the last stroke.</summary>
     public FinishPlace Finish { get; init; }
 
-    /// <summary>What the jobs that follow reach: this one does not start if they would leave the travel. Null for none.</summary>
-    public MotionExtents? Following { get; init; }
+    /// <summary>The jobs that follow: this one does not start if they would leave the travel or have no place. Null for none.</summary>
+    public FollowingJobs? Following { get; init; }
 
     /// <summary>The lease of the machine; null: it is acquired from <see cref="Memories"/> for the run.</summary>
     public MachineLease? Lease { get; init; }

@@ -22,9 +22,9 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
     public Diagnostic? Refusal { get; private init; }
 
     /// <summary>Reads the state of an interrupted job from the machine and determines the resume position. If the operator has set a work origin, the job
-    /// resumes at the active one, which must be where the job was started. Otherwise it resumes at its own origin if the controller's zero is unchanged. It is
-    /// refused elsewhere, or if the zero cannot be confirmed, unless the operator requests the work origin explicitly; then, or if the origin was set again,
-    /// the operator also sets the height.</summary>
+    /// resumes at the active or the named one, which must be where the job was started. Otherwise it resumes at its own origin if the controller's zero is
+    /// unchanged. It is refused elsewhere, or if the zero cannot be confirmed, unless the operator requests the work origin explicitly; then, or if the
+    /// origin was set again, the operator also sets the height.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<ResumePoint> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, StoredMachineState memory, CancellationToken cancellation)
     {
@@ -37,8 +37,9 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
         var resumed = new ResumePoint(found.Place, leadIn + found.Doubt, options.Origin);
         if (!found.IsToolChange && JobSection.At(job, program, found.Place) is { Number: > 1 } section && found.Place == new JobPosition(section.From, 0.0)) options.FindingReported?.Invoke(OperationRules.ToolNotChanged.At(default, journal, section.Tool.Tool.Title));
         if (request.AtOrigin) return resumed;
+        if (options.Origin is OriginRequest.NamedOrigin { Name: var name }) memory = memory with { Active = name };
         var then = Format(Millimetres(program, found.Frame));
-        if (options.Origin is not OriginRequest.ActiveOrigin)
+        if (options.Origin is not (OriginRequest.ActiveOrigin or OriginRequest.NamedOrigin))
         {
             return IsAt(options.Origin, found.Frame, program.Profile.Scale) ? resumed : Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherPlace", then)));
         }

@@ -29,6 +29,9 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
     /// <summary>Null if machine rates are undefined.</summary>
     public JobCost? Cost { get; private init; }
 
+    /// <summary>The parts of the job; null without operations, and if nothing can be cut.</summary>
+    public JobShares? Shares { get; private init; }
+
     /// <summary>The planned motion over time; null if nothing can be cut.</summary>
     public PlannedMotion? Motion { get; private init; }
 
@@ -66,14 +69,15 @@ public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, Cert
         var job = PlateJob.Prepare(request.Drawing, request.Settings, request.Strategy.Style, plate, cancellation);
         var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
-        var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Strategy);
+        var sheet = program is null ? null : JobSheet.Of(job, program, JobPlan.StrokeTimes(program, request.Address, request.Strategy), request.Rates ?? request.Settings.Machine.Rates);
         var standing = program is null ? CertificateStatus.None : CertificateStatus.OfRun(job, program);
         cancellation.ThrowIfCancellationRequested();
         var report = new JobReport(job, request.Strategy, standing, request.Now)
         {
             Program = program,
-            Times = times,
-            Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
+            Times = sheet?.Times ?? default,
+            Cost = sheet?.Cost,
+            Shares = sheet?.Shares,
             Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Toolpath, MachineFamilies.DriverOf(program.Profile).NetworkTimes, null, cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             OtherCertificates = [.. OthersOf(request, request.Strategy.Style, cancellation)],

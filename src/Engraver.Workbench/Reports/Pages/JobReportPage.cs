@@ -85,7 +85,23 @@ public static class JobReportPage
     }
 
     /// <summary>The figures have the names of <c>plan --json</c>.</summary>
-    private static void Sheet(JobReport report, PageWriter page) => page.Section("sheet", Wording.Get("JobReport.Sheet"), () => page.Inside("sheet", () =>
+    private static void Sheet(JobReport report, PageWriter page) => page.Section("sheet", Wording.Get("JobReport.Sheet"), () =>
+    {
+        page.Inside("sheet", () => Totals(report, page));
+        if (report.Shares is { } shares) page.Pairs(Shares(shares));
+    });
+
+    /// <summary>One line for each operation and each tool, with the cost as its value.</summary>
+    private static IEnumerable<PagePair> Shares(JobShares shares) =>
+    [
+        .. shares.Operations.Select(one => Share(one.Share, $"operations.{one.Operation.Id}.planned.cost")),
+        .. shares.Tools.Select(one => Share(one.Share, string.Create(CultureInfo.InvariantCulture, $"tools.{one.Tool.Number}.planned.cost"))),
+        Share(shares.Around, "around.cost"),
+    ];
+
+    private static PagePair Share(JobShare share, string key) => new(share.Title, share.Text, key, share.Cost?.Total);
+
+    private static void Totals(JobReport report, PageWriter page)
     {
         var (times, sequence, has) = (report.Times, report.Job.Sequence, report.Program is not null);
         double? Planned(double seconds) => has ? seconds : null;
@@ -107,7 +123,7 @@ public static class JobReportPage
             PagePair.Of(Wording.Get("JobReport.PeakAcceleration"), "peakAxisAcceleration", peaks?.AxisAcceleration, "0"),
             .. report.Cost is { } cost ? Costs(cost) : [],
         ]));
-    }));
+    }
 
     private static IEnumerable<PagePair> Costs(JobCost cost) =>
     [
