@@ -16,6 +16,7 @@ public static class OperationFile
 
     private const string CountField = "count";
     private const string PlacesField = "at";
+    private const string ZigzagField = "zigzag";
     private const double LargestLength = 1e4;
     private const double LargestSpeed = 1e6;
 
@@ -43,7 +44,7 @@ public static class OperationFile
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "outputs", "direction", "order",
-        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", "zigzag", "angle", "peck", "maxDiameter", "dwell", "pierce",
+        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", ZigzagField, "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
     /// <summary>The fields that an operation of a kind may have, in the order in which they are described.</summary>
@@ -58,7 +59,7 @@ public static class OperationFile
         "side" => OperationFields.WordsOf<ProfileSide>(),
         "pattern" => OperationFields.WordsOf<FillPattern>(),
         "on" => ["true", "false"],
-        "cross" or "zigzag" => ["false", "true"],
+        "cross" or ZigzagField => ["false", "true"],
         _ => [],
     };
 
@@ -240,7 +241,7 @@ public static class OperationFile
             IsCross = of.Switch("cross", false),
             Inset = of.Number("inset", 0.0, 1e3, includesLowest: false),
             Stepover = of.Number("stepover", 0.0, 0.99, includesLowest: false) ?? 0.4,
-            IsZigzag = of.Switch("zigzag", false),
+            IsZigzag = of.Switch(ZigzagField, false),
             AngleDegrees = of.Number("angle", -360.0, 360.0, includesLowest: true) ?? 0.0,
             Peck = of.Number("peck", 0.0, LargestLength, includesLowest: false),
             DwellSeconds = of.Number("dwell", 0.0, LongestWait, includesLowest: true) ?? 0.0,
@@ -276,7 +277,7 @@ public static class OperationFile
 
         if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
         if (operation is { Tabs.Height: { } height, Depth: { } bottom } && height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
-        if (operation is { Kind: OperationKind.Pocket, IsZigzag: false, AngleDegrees: not 0.0 }) of.Invalid(of.PathOf("angle"), FactText.Of(operation.AngleDegrees), Wording.Get("OperationFile.OnlyFor", "zigzag"));
+        if (operation is { Kind: OperationKind.Pocket, IsZigzag: false, AngleDegrees: not 0.0 }) of.Invalid(of.PathOf("angle"), FactText.Of(operation.AngleDegrees), Wording.Get("OperationFile.OnlyFor", ZigzagField));
         foreach (var field in ((string[])["angle", "cross"]).Where(field => operation is { Kind: OperationKind.Fill, Pattern: FillPattern.Contour } && of.Has(field)))
         {
             of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
@@ -302,7 +303,7 @@ public static class OperationFile
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
         ("power", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
-        ("zigzag", [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
+        (ZigzagField, [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];
 

@@ -54,6 +54,22 @@ public sealed class OperationOutputRunTests : IDisposable
         Assert.Contains("OPR0048", wrong.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>Half the power at the holes and full power at the line; without the axis nothing moves.</summary>
+    [Fact]
+    public async Task The_power_of_a_beam_is_an_analog_output()
+    {
+        var program = _folder.PathOf("a.dmc");
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["post", .. Beam("""{ "powerAxis": "D", "powerVolts": 8 }"""), "--target", "galil", "-o", program])).ExitCode);
+        var text = await File.ReadAllTextAsync(program);
+        Assert.Equal(["MOD", "OFD=0", "OFD=4", "OFD=4", "OFD=8", "OFD=0"], text[..text.IndexOf("MG \"DONE\"", StringComparison.Ordinal)].Split('\n', ';').Where(command => command.StartsWith("OFD", StringComparison.Ordinal) || command == "MOD"));
+        var run = await CliRun.RunAsync(["run", .. Beam("""{ "powerAxis": "D", "powerVolts": 8 }"""), "--connect", "sim:?speed=max", "--journal", _folder.PathOf("a.jsonl")]);
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+
+        var refused = await CliRun.RunAsync(["run", .. Beam("{ }"), "--connect", "sim:?speed=max"]);
+        Assert.Equal(ExitCode.DrawingError, refused.ExitCode);
+        Assert.Contains("OPR0037", refused.Error, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("fan", 6000, "air, mist")]
     [InlineData("3", 6000, "tool and spindle")]
@@ -66,6 +82,14 @@ public sealed class OperationOutputRunTests : IDisposable
         Assert.Contains("OPR0003", run.Error, StringComparison.Ordinal);
         Assert.Contains(allowed, run.Error, StringComparison.Ordinal);
     }
+
+    private string[] Beam(string profile) =>
+    [
+        _folder.WithFile("plate.dxf", Plate), "--machine", _folder.WithFile("laser.json", profile), "--operations", _folder.WithFile("beam.json", """
+            { "version": "1.0", "tools": [{"number": 1, "kind": "laser", "diameter": 0.1}], "operations": [
+              { "id": "holes", "kind": "engrave", "select": {"layers": ["HOLES"]}, "tool": 1, "power": 50 }, { "id": "marks", "kind": "engrave", "select": "rest", "tool": 1 }] }
+            """),
+    ];
 
     private string[] Job(string outputs, int speed) =>
     [
