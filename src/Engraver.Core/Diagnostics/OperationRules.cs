@@ -88,12 +88,15 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NoRamp = new("OPR0054", Severity.Warning, "operation", "count", "x", "y");
 
+    /// <summary>A program that cannot stop between repeats is written as several.</summary>
+    public static readonly DiagnosticRule SeveralPrograms = new("OPR0055", Severity.Error, "operation", "count");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead,
-        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp,
+        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, SeveralPrograms,
     ];
 }

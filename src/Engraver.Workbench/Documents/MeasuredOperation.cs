@@ -15,6 +15,17 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Depths">Deepest place of each pass below the top of the work; null for a pass of which nothing was cut. Empty without heights.</param>
 public sealed record MeasuredOperation(string Id, string Name, string Kind, int Tool, double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths)
 {
+    /// <summary>The operation in two runs, each of which cut some of its passes.</summary>
+    /// <param name="later">The run that cut the later ones.</param>
+    internal MeasuredOperation With(MeasuredOperation later) => this with
+    {
+        MaxDeviation = Math.Max(MaxDeviation, later.MaxDeviation),
+        MissingLength = MissingLength + later.MissingLength,
+        ExtraLength = ExtraLength + later.ExtraLength,
+        Feed = Feed > later.Feed || later.Feed is null ? Feed : later.Feed,
+        Depths = [.. Depths, .. later.Depths],
+    };
+
     /// <param name="passes">In order; null for one of which nothing was cut.</param>
     /// <param name="hasHeights">The heights of the tool were measured.</param>
     /// <returns>Null where no pass of the operation was cut.</returns>

@@ -54,7 +54,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>Operation and pass of each stroke; empty for a job without operations.</summary>
     public IReadOnlyList<StrokePass> Passes { get; init; } = [];
 
-    /// <summary>The parts of the job between two changes of the tool, in order; empty for a job without operations.</summary>
+    /// <summary>The parts of the job between two changes of the tool or stops, in order; empty for a job without operations.</summary>
     public IReadOnlyList<ToolSection> Sections => Settings.Operations is { } plan ? ToolSection.Of(plan, Passes) : [];
 
     /// <summary>The shapes of the operations; empty for a job without operations.</summary>

@@ -187,7 +187,7 @@ public class OperationCommandTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Contains("the rest needs tool Drill (3)", talk.Said, StringComparison.Ordinal);
-        Assert.Equal((JobOutcome.ToolChange, true), (runs.LastRun!.Result.Outcome, runs.Part is { IsToolChange: true }));
+        Assert.Equal((JobOutcome.ToolChange, true), (runs.LastRun!.Result.Outcome, runs.Part is { Break.IsToolChange: true }));
         await talk.TypeAsync("CNCZERO", "Z", "Yes");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Equal((JobOutcome.Complete, null), (runs.LastRun!.Result.Outcome, runs.Part));

@@ -46,8 +46,8 @@ public sealed class GcodePost : IPost
     private static IEnumerable<Diagnostic> OfOperations(GcodeChoice choice, PostRequest request)
     {
         if (request.Operations is not { } operations) yield break;
-        var changes = operations.Sections.Count - (choice.Dialect.HasToolChange ? 0 : 1);
-        if (operations.Sections.Count > 1) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
+        var changes = operations.Sections.Skip(1).Count(section => section.Repeat is null) + (choice.Dialect.HasToolChange ? 1 : 0);
+        if (operations.ChangeTool) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
         if (request.Machine is not { Height: null, Spindle: null } || choice.Switch == GcodeChoice.BySpindle) yield break;
         foreach (var operation in operations.All)
         {
