@@ -94,6 +94,7 @@ public sealed class MachineRuns
                 _status.JobEnded(report.Result);
                 if (report.Result.Outcome == JobOutcome.Complete && !given.DryRun) Part = null;
                 if (SectionBreak.Of(job, report) is { } at) Part = RestOf(job, given, report, at);
+                else if (report.Result.FrameOrigin is not null && !given.DryRun && Part is { Break: not null } begun) Part = begun with { Break = null }; // it has moved: it is resumed by its own journal
                 return LastRun = report;
             }
             finally

@@ -15,6 +15,13 @@ public sealed record SectionBreak(JobSection Ended, ToolSection Next)
     /// <summary>The height of the work was set since the section ended. It is that of the tool before where the tool was changed and this is false.</summary>
     public bool IsHeightSet { get; init; }
 
+    /// <summary>The height of the work has to be set with the next tool.</summary>
+    public bool NeedsHeight(MachineProfile machine)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        return IsToolChange && !IsHeightSet && machine.Axes.Z is not null;
+    }
+
     /// <summary>What follows: the name and the number of the tool, or the repeat and its operation.</summary>
     public string NextText => Next.Repeat is { } repeat ? Wording.Get("SectionBreak.Repeat", repeat, Next.Operations[0].Repeats, Next.Operations[0].Title) : Next.Tool.Title;
 
