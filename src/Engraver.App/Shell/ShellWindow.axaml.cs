@@ -2,7 +2,6 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
-using Avalonia.Layout;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
 using Engraver.App.Binding;
@@ -40,7 +39,8 @@ public partial class ShellWindow : Window
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
-        Canvas.Children.Add(new StackPanel { HorizontalAlignment = HorizontalAlignment.Center, VerticalAlignment = VerticalAlignment.Top, Children = { new SectionBreakView { Name = "SectionBreak", DataContext = Model.SectionBreak }, new TextOfferView { Name = "TextOffer", DataContext = Model.TextOffer } } });
+        Canvas.Children.Add(new TextOfferView { Name = "TextOffer", DataContext = Model.TextOffer });
+        Canvas.Children.Add(new SectionBreakView { Name = "SectionBreak", DataContext = Model.SectionBreak });
         Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
         Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.SetCursor, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);

@@ -198,8 +198,8 @@ public class OperationCommandTests
         Assert.Equal((JobOutcome.Complete, 2), (runs.LastRun!.Result.Outcome, runs.LastRun.Sections.Count));
     }
 
-    /// <summary>Marks with a stop before their repeat, then holes with another tool, each continued by CNCCONTINUE: it asks, also about a height that was not set
-    /// with the next tool.</summary>
+    /// <summary>Marks with a stop before their repeat, then holes with another tool, each continued by CNCCONTINUE: it asks, also about a height that was not
+    /// set with the next tool.</summary>
     [Fact]
     public async Task A_job_is_continued_behind_a_stop_and_a_change_of_the_tool()
     {
