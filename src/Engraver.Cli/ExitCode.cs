@@ -27,7 +27,7 @@ public static class ExitCode
     /// <summary>The exit code for the outcome of a job or a move.</summary>
     public static int Of(JobOutcome outcome) => outcome switch
     {
-        JobOutcome.Complete or JobOutcome.ToolChange => Done,
+        _ when outcome.IsAsPlanned() => Done,
         JobOutcome.Stopped => StoppedByOperator,
         JobOutcome.Refused => Refused,
         JobOutcome.Deviated => DrawingError,

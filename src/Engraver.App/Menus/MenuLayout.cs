@@ -34,7 +34,7 @@ public static class MenuLayout
         {
             Submenus = [new("TrajectorySettings", ["SACESETMAXERROR", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "SACECORNERS", "SACESETZPLANE"])],
         },
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCSTATUS", Separator, "CNCPLATE", "CNCSIM", "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "Menu.ByHand", "Menu.Feeds", "Menu.Watch", "Menu.Setup"])
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCSTATUS", Separator, "CNCPLATE", "CNCSIM", "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCCONTINUE", "CNCSTOP", "CNCABORT", Separator, "Menu.ByHand", "Menu.Feeds", "Menu.Watch", "Menu.Setup"])
         {
             Submenus =
             [

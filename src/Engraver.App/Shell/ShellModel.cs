@@ -19,6 +19,7 @@ using Engraver.App.Playback;
 using Engraver.App.Plots;
 using Engraver.App.Programs;
 using Engraver.App.Properties;
+using Engraver.App.SectionBreaks;
 using Engraver.App.StartPage;
 using Engraver.App.StatusBar;
 using Engraver.App.Tables;
@@ -49,6 +50,7 @@ public sealed class ShellModel : ObservableObject
         Files = new FileQuestions(desk, Command.TakeLine);
         Recent = new RecentDrawings(desk);
         TextOffer = new TextOfferModel(desk);
+        SectionBreak = new SectionBreakModel(desk);
         StartPage = new StartPageModel(desk, Files, Recent, commandOf("OPEN"));
         Tools = ToolColumn.For(desk, commandOf);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
@@ -78,6 +80,9 @@ public sealed class ShellModel : ObservableObject
 
     /// <summary>The offer to engrave texts that would not be cut.</summary>
     public TextOfferModel TextOffer { get; }
+
+    /// <summary>The question at a change of the tool or a stop between repeats.</summary>
+    public SectionBreakModel SectionBreak { get; }
 
     /// <summary>The start page on the empty canvas.</summary>
     public StartPageModel StartPage { get; }

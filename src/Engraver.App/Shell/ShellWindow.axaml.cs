@@ -13,6 +13,7 @@ using Engraver.App.Menus;
 using Engraver.App.Options;
 using Engraver.App.Properties;
 using Engraver.App.Safety;
+using Engraver.App.SectionBreaks;
 using Engraver.App.StartPage;
 using Engraver.App.Terminals;
 using Engraver.App.TextOffers;
@@ -39,6 +40,7 @@ public partial class ShellWindow : Window
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
         Canvas.Children.Add(new TextOfferView { Name = "TextOffer", DataContext = Model.TextOffer });
+        Canvas.Children.Add(new SectionBreakView { Name = "SectionBreak", DataContext = Model.SectionBreak });
         Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
         Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.SetCursor, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);

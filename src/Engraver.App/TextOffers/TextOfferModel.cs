@@ -7,8 +7,8 @@ using Engraver.Workbench.Stages;
 
 namespace Engraver.App.TextOffers;
 
-/// <summary>Offers to engrave the texts of a drawing that would not be cut, once for each drawing. The offer waits while a command asks or the machine
-/// moves.</summary>
+/// <summary>Offers to engrave the texts of a drawing that would not be cut, once for each drawing. The offer waits while a command asks, the machine
+/// moves, or a job is between two sections.</summary>
 public sealed class TextOfferModel : ObservableObject
 {
     private readonly DesktopModel _desk;
@@ -42,7 +42,7 @@ public sealed class TextOfferModel : ObservableObject
             _count = state.Drawing is { } drawing ? UncutTexts.Count(drawing, state.Settings) : 0;
         }
 
-        var isOpen = _count > 0 && !_answered.Contains(state.Drawing!.FileName) && _desk.Prompt.Command is null && !_desk.IsMoving;
+        var isOpen = _count > 0 && !_answered.Contains(state.Drawing!.FileName) && _desk.Prompt.Command is null && !_desk.IsMoving && _desk.Session.Machine.Runs.Part is not { Break: not null };
         if (isOpen == IsOpen && !isOpen) return;
         IsOpen = isOpen;
         OnPropertyChanged(null);

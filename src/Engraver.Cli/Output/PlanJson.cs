@@ -34,7 +34,7 @@ internal sealed record PlanJson(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<OperationJson>? Operations { get; init; }
 
-    /// <summary>The sections between which the tool is changed; not written for a job of one tool.</summary>
+    /// <summary>The sections between which the tool is changed or the machine stops; not written for a job of one section.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PlanSectionJson>? Sections { get; init; }
 
@@ -58,6 +58,10 @@ internal sealed record PlanJson(
     /// <param name="Seconds">Without the change of the tool; null when the machine cannot cut the drawing.</param>
     internal sealed record PlanSectionJson(int Number, int Tool, IReadOnlyList<string> Operations, int Strokes, double? Seconds)
     {
+        /// <summary>The repeat of the first operation with which it begins behind a stop, from 2; not written behind a change of the tool.</summary>
+        [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+        public int? Repeat { get; init; }
+
         /// <summary>The name of the tool and its number.</summary>
         [JsonIgnore]
         public string Title { get; init; } = "";

@@ -31,7 +31,7 @@ internal static class PlanReport
     {
         output.WriteLine(Wording.Get("PlanReport.Lengths", plan.CutLength, plan.Travel));
         foreach (var one in plan.Operations ?? []) output.WriteLine(Wording.Get("PlanReport.Operation", one.Name.Length > 0 ? one.Name : one.Id, one.Kind, one.Tool, one.Curves, one.Strokes, one.Length, one.Feed));
-        foreach (var one in plan.Sections ?? []) output.WriteLine(Wording.Get("PlanReport.Section", one.Number, one.Title, string.Join(", ", one.Operations), one.Strokes, one.Seconds ?? 0.0));
+        foreach (var one in plan.Sections ?? []) output.WriteLine(Wording.Get(one.Repeat is null ? "PlanReport.Section" : "PlanReport.RepeatSection", one.Number, one.Title, string.Join(", ", one.Operations), one.Strokes, one.Seconds ?? 0.0, one.Repeat ?? 1));
         if (plan.Seconds is not { } seconds) return;
         output.WriteLine(Wording.Get("PlanReport.Times", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
         output.WriteLine(Wording.Get("PlanReport.Peaks", plan.PeakSpeed, plan.PeakAxisAcceleration));
@@ -42,12 +42,12 @@ internal static class PlanReport
     private static IReadOnlyList<OperationJson>? OperationsOf(PreparedJob job, JobShares? shares) =>
         shares is null ? null : [.. OperationJson.Of(job, [])!.Zip(shares.Operations, (json, one) => json with { Planned = PlanShareJson.From(one.Share) })];
 
-    /// <summary>Null for a job of one tool.</summary>
+    /// <summary>Null for a job of one section.</summary>
     private static IReadOnlyList<PlanJson.PlanSectionJson>? SectionsOf(PreparedJob job, MotionProgram? program, Func<MotionProgram, MotionTimes> timesOf)
     {
         if (job.Sections is not { Count: > 1 } tools) return null;
         var parts = program is null ? [] : JobSection.Of(job, program);
-        return [.. tools.Select((tool, index) => new PlanJson.PlanSectionJson(index + 1, tool.Tool.Number, [.. tool.Operations.Select(operation => operation.Id)], tool.Strokes, program is null ? null : timesOf(parts[index].Of(program)).Total) { Title = tool.Tool.Title })];
+        return [.. tools.Select((tool, index) => new PlanJson.PlanSectionJson(index + 1, tool.Tool.Number, [.. tool.Operations.Select(operation => operation.Id)], tool.Strokes, program is null ? null : timesOf(parts[index].Of(program)).Total) { Title = tool.Tool.Title, Repeat = tool.Repeat })];
     }
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

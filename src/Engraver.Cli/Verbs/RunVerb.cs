@@ -74,8 +74,8 @@ internal sealed class RunVerb
     /// <summary>Findings of the drawing are the same on every plate.</summary>
     private readonly HashSet<(SourceRef Source, string Message)> _reported = [];
 
-    /// <summary>The last run ended for a change of the tool.</summary>
-    private bool _isAtToolChange;
+    /// <summary>The last run ended for a change of the tool or a stop.</summary>
+    private bool _isAtSectionEnd;
 
     /// <summary>The trajectories to run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
@@ -169,7 +169,7 @@ internal sealed class RunVerb
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
                 await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
-                if (machine == ExitCode.Done && !_isAtToolChange) continue;
+                if (machine == ExitCode.Done && !_isAtSectionEnd) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
                 return machine == ExitCode.Done ? code : machine; // accepted errors count also at a change of the tool
             }
@@ -283,14 +283,14 @@ internal sealed class RunVerb
             options,
             job.Settings.Machine.Scale,
             section => RunSectionAsync(job, fit, section with { Control = new JobControl() }, quiet, () => checks, stop),
-            (ended, refused) => AskForToolAsync(parsed, job, ended, refused, stop)).ConfigureAwait(false);
-        _isAtToolChange = report.Result.Outcome == JobOutcome.ToolChange;
+            (ended, refused) => AskToContinueAsync(parsed, job, ended, refused, stop)).ConfigureAwait(false);
+        _isAtSectionEnd = report.Result.Outcome.IsSectionEnd();
         _startedJournal = report.Result.FrameOrigin is null ? null : report.Journal;
         if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
         return Finish(parsed, job, report, report.Journal ?? options.JournalPath, checks);
     }
 
-    /// <summary>Runs a job of one tool, or the strokes up to the next change of the tool, and adds the run to the history.</summary>
+    /// <summary>Runs a job, or its strokes up to the next change of the tool or stop, and adds the run to the history.</summary>
     private async Task<MachineRunReport> RunSectionAsync(PreparedJob job, LinkFeedFit fit, MachineRunOptions options, bool quiet, Func<ArmingChecklist?> checks, CancellationToken stop)
     {
         CheckWritable(options.JournalPath);
@@ -314,26 +314,27 @@ internal sealed class RunVerb
         return report;
     }
 
-    /// <summary>Waits until the operator has changed the tool and set the height of the work, if the run asks for it.</summary>
+    /// <summary>Waits until the operator has changed the tool and set the height of the work, or has checked the work, if the run asks for it.</summary>
     /// <param name="refused">Why the next section could not be started; null before the first attempt.</param>
     /// <returns>False: the run ends here, and is resumed later.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
-    private async Task<bool> AskForToolAsync(ParseResult parsed, PreparedJob job, MachineRunReport ended, MachineRunReport? refused, CancellationToken stop)
+    private async Task<bool> AskToContinueAsync(ParseResult parsed, PreparedJob job, MachineRunReport ended, MachineRunReport? refused, CancellationToken stop)
     {
         if ((parsed.GetValue(_toolChange) ?? (_host.Interactive && !parsed.GetValue(_json) ? Ask : Stop)) == Stop) return false;
         if ((refused?.ResumeRefusal ?? refused?.Placement?.Refusal) is { } why) _host.Report(parsed, job.Drawing.FileName, [why]);
         else if (refused is not null) await _host.Error.WriteLineAsync($"engraver: {refused.Result.Message}").ConfigureAwait(false);
-        await _host.Error.WriteLineAsync(ToolChangeText("Run.ChangeTool", "Run.ChangeToolFlat", job, ended)).ConfigureAwait(false);
+        await _host.Error.WriteLineAsync(BreakText("Run.ChangeTool", "Run.ChangeToolFlat", "Run.CheckWork", job, ended)).ConfigureAwait(false);
         return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
     }
 
-    /// <summary>What the operator does at a change of the tool.</summary>
-    /// <param name="tall">Text for a machine with a Z axis.</param>
+    /// <summary>What the operator does between two sections.</summary>
+    /// <param name="tall">Text for a change of the tool on a machine with a Z axis.</param>
     /// <param name="flat">Text for one without.</param>
-    private static string ToolChangeText(string tall, string flat, PreparedJob job, MachineRunReport ended)
+    /// <param name="stop">Text for a stop between repeats.</param>
+    private static string BreakText(string tall, string flat, string stop, PreparedJob job, MachineRunReport ended)
     {
-        var section = ended.Section!;
-        return Wording.Get(job.Settings.Machine.Axes.Z is null ? flat : tall, section.Number, section.Count, section.Next(job).Tool.Title, ended.Journal ?? "");
+        var at = SectionBreak.Of(job, ended)!;
+        return Wording.Get(!at.IsToolChange ? stop : job.Settings.Machine.Axes.Z is null ? flat : tall, at.Ended.Number, at.Ended.Count, at.NextText, ended.Journal ?? "");
     }
 
     private static double ParseLeadIn(ArgumentResult result)
@@ -369,7 +370,7 @@ internal sealed class RunVerb
         if (report.StartRefusal is { } unstarted) _host.Report(parsed, job.Drawing.FileName, [unstarted]);
         if (report.StartRefusal is not null) return ExitCode.Usage;
         if (!parsed.GetValue(_json)) _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
-        if (report is { Result.Outcome: JobOutcome.ToolChange }) _host.Error.WriteLine(ToolChangeText("Run.Continue", "Run.ContinueFlat", job, report));
+        if (report.Result.Outcome.IsSectionEnd()) _host.Error.WriteLine(BreakText("Run.Continue", "Run.ContinueFlat", "Run.ContinueRepeat", job, report));
         else if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Message}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.TraceIncomplete", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));

@@ -23,6 +23,7 @@ internal sealed class VerifyVerb
     private readonly PostParameterOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string?> _values = ValuesOption.New();
+    private readonly Option<int?> _section = new("--section") { HelpName = "N", Description = Wording.Get("Verify.Section") };
     private readonly DrawingOptions _drawing = new();
 
     private VerifyVerb(VerbHost host)
@@ -30,6 +31,10 @@ internal sealed class VerifyVerb
         _host = host;
         _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name).Union(TrajectoryFormatName.All)]);
         _dialect.AcceptOnlyFromAmong([.. PostTable.All.SelectMany(entry => entry.Dialects.Keys)]);
+        _section.Validators.Add(result =>
+        {
+            if (result.Tokens is [{ Value: var value }] && !(int.TryParse(value, out var number) && number > 0)) result.AddError(Wording.Get("Verify.InvalidSection", value));
+        });
     }
 
     public static Command Build(VerbHost host)
@@ -37,7 +42,7 @@ internal sealed class VerifyVerb
         var verb = new VerifyVerb(host);
         var command = new Command("verify", Wording.Get("Verify.Summary"));
         command.Arguments.Add(verb._program);
-        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json, verb._values]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json, verb._values, verb._section]) command.Options.Add(option);
         verb._posted.AddTo(command, verb.Target);
         verb._drawing.AddOptionsTo(command);
         command.Validators.Add(verb.CheckDialect);
@@ -53,7 +58,7 @@ internal sealed class VerifyVerb
         var (target, dialect) = parsed.GetValue(_target) is { } named ? (named, parsed.GetValue(_dialect)) : Found(file, parsed.GetValue(_dialect));
         var (program, reader) = ReadBack(file, target, dialect);
         if (parsed.GetValue(_target) is null && ProgramFormatDetector.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
-        var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file), Values = ValuesOption.Read(parsed.GetValue(_values)) };
+        var posted = _posted.Of(parsed) with { Start = _host.SavedStart(parsed, file), Values = ValuesOption.Read(parsed.GetValue(_values)), Section = parsed.GetValue(_section) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await ProgressBar.OfVerificationAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         report = CertifiedFonts.Compare(report, drawing, settings, target, dialect);

@@ -92,6 +92,9 @@ public static class OperationRules
 
     public static readonly DiagnosticRule NoHelix = new("OPR0055", Severity.Warning, "operation", "count", "x", "y");
 
+    /// <summary>A program that cannot stop between repeats is written as several.</summary>
+    public static readonly DiagnosticRule SeveralPrograms = new("OPR0056", Severity.Error, "operation", "count");
+
     public static readonly DiagnosticRule WidthNotCut = new("OPR0060", Severity.Error, "operation", "width", "count", "tool", "least", "most");
 
     public static readonly DiagnosticRule WidthVaries = new("OPR0061", Severity.Error, "operation", "count");
@@ -104,6 +107,6 @@ public static class OperationRules
         Unreadable, FieldUnknown, ValueInvalid, FieldMissing, LayerUnknown, HandleUnknown, CutTwice, NotTaken, TakesNothing, NoToolAxis, NoDepth, SeveralTools, DeeperThanTool,
         SpindleByHand, OpenContour, NotPosted, NotAsStated, NotDrilled, NothingOn, NoLead, LeadShortened, FewerTabs, NotFilled, ToolNotChanged, ToolChanged, PassMissing,
         NotInFormat, LeftOut, PassNotCut, LinetypeUnknown, BlockUnknown, InsertsLeftOut, GapsClosed, GapsLeft, ShapesNotCut, NoDashes, HatchesNotRead, OtherOutputs,
-        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix, WidthNotCut, WidthVaries, BeamOnAxis,
+        StartUnused, NoCorner, TabUnplaced, OvercutShortened, NoRamp, NoHelix, SeveralPrograms, WidthNotCut, WidthVaries, BeamOnAxis,
     ];
 }

@@ -32,9 +32,12 @@ public sealed record JobOptions
     /// <summary>Everything before it is already cut; the job continues from there.</summary>
     public JobPosition From { get; init; }
 
-    /// <summary>Segments of the whole program, at the start of a stroke, before which the tool is changed: the job ends there with
-    /// <see cref="JobOutcome.ToolChange"/>. Null: it cuts the program to its end.</summary>
+    /// <summary>Segments of the whole program, at the start of a stroke, before which a section ends: the job ends there with
+    /// <see cref="SectionEnd"/>. Null: it cuts the program to its end.</summary>
     public int? Until { get; init; }
+
+    /// <summary>The outcome of a job that reaches <see cref="Until"/> (<see cref="JobOutcomeKinds.IsSectionEnd"/>).</summary>
+    public JobOutcome SectionEnd { get; init; } = JobOutcome.ToolChange;
 
     /// <summary>Journal of the interrupted job that this one resumes; null for none. An entry is written to it when the job begins.</summary>
     public string? ResumedJournal { get; init; }

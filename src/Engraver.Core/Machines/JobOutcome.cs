@@ -7,6 +7,9 @@ public enum JobOutcome
     /// <summary>The strokes of one tool are complete, and the rest needs another one; the machine is at rest.</summary>
     ToolChange,
 
+    /// <summary>The strokes before a stop between repeats are complete, and the rest is cut with the same tool; the machine is at rest.</summary>
+    OperatorStop,
+
     /// <summary>Stopped by the operator; the machine is at rest.</summary>
     Stopped,
 

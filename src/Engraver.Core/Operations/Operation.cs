@@ -63,6 +63,10 @@ public sealed record Operation
     /// <summary>Number of times that the last pass is cut.</summary>
     public int Repeats { get; init; } = 1;
 
+    /// <summary>Before each repeat of the last pass the job stops with the tool up and off, and continues when the operator continues it. A repeat then cuts
+    /// all contours before the next one begins.</summary>
+    public bool StopsBetween { get; init; }
+
     public CutDirection Direction { get; init; }
 
     public PassOrder Order { get; init; }
@@ -152,12 +156,21 @@ public sealed record Operation
     /// <summary>The name, or the id where it has none.</summary>
     public string Title => Name.Length > 0 ? Name : Id;
 
+    /// <summary>Index of the last pass, which the repeats cut again.</summary>
+    public int LastPass => Depth is null ? 0 : RoughPasses - (Finish > 0.0 ? 0 : 1);
+
+    /// <summary>Passes before the last one removes <see cref="Finish"/>.</summary>
+    private int RoughPasses => DepthPerPass is { } step ? Math.Max(1, (int)Math.Ceiling((Depth!.Value - Finish - StartDepth) / step * (1.0 - 1e-12))) : 1;
+
+    /// <summary>The repeat that a pass is, from 2; 1 for the passes before the first repeat.</summary>
+    /// <param name="pass">Index of the pass.</param>
+    public int RepeatOf(int pass) => Math.Max(1, pass - LastPass + 1);
+
     /// <summary>Depth of each pass, from the top down; the last is <see cref="Depth"/>, once for each repeat. Passes divide the depth evenly.</summary>
     public IReadOnlyList<double> PassDepths()
     {
         if (Depth is not { } depth) return [.. Enumerable.Repeat(0.0, Repeats)];
-        var rough = depth - Finish;
-        var count = DepthPerPass is { } step ? Math.Max(1, (int)Math.Ceiling((rough - StartDepth) / step * (1.0 - 1e-12))) : 1;
+        var (rough, count) = (depth - Finish, RoughPasses);
         List<double> depths = [.. Enumerable.Range(1, count).Select(pass => StartDepth + ((rough - StartDepth) * pass / count))];
         if (Finish > 0.0) depths.Add(depth);
         depths[^1] = depth;

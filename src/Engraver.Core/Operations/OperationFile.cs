@@ -17,6 +17,8 @@ public static class OperationFile
     private const string CountField = "count";
     private const string PlacesField = "at";
     private const string ZigzagField = "zigzag";
+    private const string RepeatsField = "repeats";
+    private const string StopField = "stopBetween";
     private const double LargestLength = 1e4;
     private const double LargestSpeed = 1e6;
 
@@ -43,7 +45,7 @@ public static class OperationFile
 
     private static readonly string[] s_operationFields =
     [
-        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", "repeats", "outputs", "direction", "order",
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", RepeatsField, StopField, "outputs", "direction", "order",
         "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", ZigzagField, "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
@@ -59,7 +61,7 @@ public static class OperationFile
         "side" => OperationFields.WordsOf<ProfileSide>(),
         "pattern" => OperationFields.WordsOf<FillPattern>(),
         "on" => ["true", "false"],
-        "cross" or ZigzagField => ["false", "true"],
+        "cross" or ZigzagField or StopField => ["false", "true"],
         _ => [],
     };
 
@@ -229,7 +231,8 @@ public static class OperationFile
             DepthPerPass = of.Number("depthPerPass", 0.0, LargestLength, includesLowest: false),
             Finish = of.Number("finish", 0.0, LargestLength, includesLowest: true) ?? 0.0,
             Stock = of.Number("stock", 0.0, 1e3, includesLowest: true) ?? 0.0,
-            Repeats = of.Whole("repeats", 1, 1000) ?? 1,
+            Repeats = of.Whole(RepeatsField, 1, 1000) ?? 1,
+            StopsBetween = of.Switch(StopField, false),
             Outputs = of.Texts("outputs", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
             Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
@@ -275,6 +278,7 @@ public static class OperationFile
             if (of.Find(field) is { } step && operation.Depth is { } whole && (whole - operation.StartDepth) / step.GetDouble() > MostPasses) of.Invalid(of.PathOf(field), OperationFields.Shown(step), Wording.Get("OperationFile.TooManyPasses", MostPasses));
         }
 
+        if (operation is { StopsBetween: true, Repeats: 1 }) of.Invalid(of.PathOf(StopField), OperationFields.Shown(of.Find(StopField)!.Value), Wording.Get("OperationFile.NeedsRepeats", RepeatsField));
         if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
         if (operation is { Tabs.Height: { } height, Depth: { } bottom } && height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
         if (operation is { Kind: OperationKind.Pocket, IsZigzag: false, AngleDegrees: not 0.0 }) of.Invalid(of.PathOf("angle"), FactText.Of(operation.AngleDegrees), Wording.Get("OperationFile.OnlyFor", ZigzagField));

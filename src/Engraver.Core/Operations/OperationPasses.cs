@@ -56,13 +56,16 @@ public sealed record OperationPasses(SequencingResult Sequence, IReadOnlyList<St
         return new OperationPasses(ResultOf(ordered, drawn, table, strokes, options), [.. cuts.Select(cut => cut.Pass)]) { Findings = findings, Places = dressed };
     }
 
-    /// <summary>The strokes and passes in the order of cutting. A hole is drilled in one stroke, pecks included.</summary>
+    /// <summary>The strokes and passes in the order of cutting. A hole is drilled in one stroke, pecks included. Repeats with a stop between them are cut one
+    /// after the other, each with all strokes.</summary>
     private static IEnumerable<(int Stroke, int Pass)> InOrder(OrderedOperation operation, int passes)
     {
-        var strokes = operation.Strokes.Count;
-        return operation.Shape.Operation.Order == PassOrder.Level
-            ? Enumerable.Range(0, passes * strokes).Select(step => (step % strokes, step / strokes))
-            : Enumerable.Range(0, passes * strokes).Select(step => (step / passes, step % passes));
+        var (strokes, own) = (operation.Strokes.Count, operation.Shape.Operation);
+        if (own.Order == PassOrder.Level) return ByLevel(0, passes);
+        var byContour = own.StopsBetween ? own.LastPass + 1 : passes;
+        return Enumerable.Range(0, byContour * strokes).Select(step => (step / byContour, step % byContour)).Concat(ByLevel(byContour, passes));
+
+        IEnumerable<(int Stroke, int Pass)> ByLevel(int first, int end) => Enumerable.Range(first * strokes, (end - first) * strokes).Select(step => (step % strokes, step / strokes));
     }
 
     private static DressedPiece Append(EntityTable table, OrderedOperation operation, OrderedStroke stroke, double depth)

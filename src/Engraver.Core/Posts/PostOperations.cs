@@ -4,7 +4,7 @@ namespace Engraver.Core.Posts;
 
 /// <summary>The operations of a job that is written.</summary>
 /// <param name="Plan">Their tools and speeds.</param>
-/// <param name="Sections">The parts between two changes of the tool, which cover every stroke; at least one.</param>
+/// <param name="Sections">The parts between two changes of the tool or stops, which cover every stroke; at least one.</param>
 public sealed record PostOperations(OperationPlan Plan, IReadOnlyList<ToolSection> Sections)
 {
     private readonly Operation[] _operations = [.. Sections.SelectMany(section => section.Passes).Select(pass => pass.Operation)];
@@ -14,6 +14,9 @@ public sealed record PostOperations(OperationPlan Plan, IReadOnlyList<ToolSectio
 
     /// <summary>True when an operation states the speed of its spindle.</summary>
     public bool StateSpindle => All.Any(operation => Plan.SpindleOf(operation) is not null);
+
+    /// <summary>The tool is changed between two sections.</summary>
+    public bool ChangeTool => ToolSection.ChangesTool(Sections);
 
     /// <summary>The operation of a stroke.</summary>
     /// <param name="stroke">Index in the order of cutting.</param>

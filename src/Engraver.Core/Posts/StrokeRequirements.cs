@@ -25,6 +25,7 @@ public sealed class StrokeRequirements
         ArgumentNullException.ThrowIfNull(operations);
         _near = near;
         Tools = [.. operations.Sections.Select(section => section.Tool.Number)];
+        Stops = [.. operations.Sections.Select(section => section.Repeat is not null)];
         StateSpindle = operations.StateSpindle;
         for (var i = 0; i < path.Strokes.Count; i++)
         {
@@ -39,8 +40,11 @@ public sealed class StrokeRequirements
         _ends = BoxTree.Build([.. path.Strokes.Select(stroke => stroke.End)]);
     }
 
-    /// <summary>Numbers of the tools in the order of their use; a number is repeated where a tool comes twice.</summary>
+    /// <summary>Number of the tool of each section, in their order; a number is repeated where a tool comes twice.</summary>
     public IReadOnlyList<int> Tools { get; }
+
+    /// <summary>For each section: the program stops before it, and the tool remains.</summary>
+    public IReadOnlyList<bool> Stops { get; }
 
     /// <summary>An operation states the speed of its spindle.</summary>
     public bool StateSpindle { get; }

@@ -19,7 +19,7 @@ internal sealed class Job
 
     private readonly MotionProgram _whole;
 
-    /// <summary>The whole program up to the change of the tool, if there is one.</summary>
+    /// <summary>The whole program up to the end of the section, if it has several.</summary>
     private readonly MotionProgram _wanted;
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
@@ -88,7 +88,7 @@ internal sealed class Job
         try
         {
             var early = await JobEnd.OfAsync(RunFreeMachineAsync).ConfigureAwait(false);
-            if (early is null) return _options.Until is null ? JobEnd.Complete(Wording.Count("Job.DoneSegments", _ledger.Executed)) : JobEnd.ToolChange(Wording.Count("Job.DoneBeforeToolChange", _ledger.Executed));
+            if (early is null) return Done;
 
             // A motion that ended early or a halted thread is a consequence of the stop.
             return early.Outcome == JobOutcome.Refused && _stop.IsPressed ? Stopped : early;
@@ -106,6 +106,13 @@ internal sealed class Job
             return JobEnd.Broken(Wording.Get("Job.JournalNotWritable", SystemErrorText.FromException(failure)));
         }
     }
+
+    private JobEnd Done => _options switch
+    {
+        { Until: null } => JobEnd.Complete(Wording.Count("Job.DoneSegments", _ledger.Executed)),
+        { SectionEnd: JobOutcome.ToolChange } => JobEnd.OfSection(JobOutcome.ToolChange, Wording.Count("Job.DoneBeforeToolChange", _ledger.Executed)),
+        _ => JobEnd.OfSection(_options.SectionEnd, Wording.Count("Job.DoneBeforeStop", _ledger.Executed)),
+    };
 
     private JobEnd Stopped => new(JobOutcome.Stopped, _options.Control?.StopReason ?? Wording.Get("Job.StoppedOperator"));
 

@@ -17,11 +17,12 @@ internal sealed record JobEnd(JobOutcome Outcome, string Sentence, Rejected? Ref
     public string Doubt { get; init; } = "";
 
     /// <summary>The job did not reach the end of what it was to cut.</summary>
-    public bool IsEarly => Outcome is not (JobOutcome.Complete or JobOutcome.ToolChange);
+    public bool IsEarly => !Outcome.IsAsPlanned();
 
     public static JobEnd Complete(string sentence) => new(JobOutcome.Complete, sentence);
 
-    public static JobEnd ToolChange(string sentence) => new(JobOutcome.ToolChange, sentence);
+    /// <summary>The end of a section.</summary>
+    public static JobEnd OfSection(JobOutcome outcome, string sentence) => new(outcome, sentence);
 
     public static JobEnd Refused(Rejected rejected, string where) => new(JobOutcome.Refused, rejected.Explain() + where, rejected);
 

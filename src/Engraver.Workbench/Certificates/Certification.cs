@@ -52,7 +52,7 @@ public static class Certification
         var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Strategy, drawing) : null;
         if (request.Program is { } given) return (new PostedProgram(given.Text, job.Diagnostics), fit?.Program);
         if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, request.Options, request.Values), null);
-        return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, request.Options), fit?.Program);
+        return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, request.Options, withoutStops: true), fit?.Program);
     }
 
     private static JobCertificate Certificate(CertificationRequest request, PreparedJob job, MotionProgram? fitted, string text, VerificationReport report, IReadOnlyList<Diagnostic> findings)

@@ -47,7 +47,7 @@ public sealed class CommandCatalog
         new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new CertifyCommand(), new SendCommand(), new PlotCommand(), new PlotExportCommand(), new ReportCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(), new CncPlateCommand(),
-        new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
+        new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncContinueCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new PlotCompareCommand(), new AlarmsCommand(), new CncTerminalCommand(),
         .. SettingCommand.All, new KerfCommand(), new CncPlaceCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,
     ]);

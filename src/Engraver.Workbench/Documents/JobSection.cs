@@ -3,7 +3,7 @@ using Engraver.Core.Operations;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A part of a job between two changes of the tool, by the segments of its motion program.</summary>
+/// <summary>A part of a job between two changes of the tool or stops, by the segments of its motion program.</summary>
 /// <param name="Tool">Its tool, operations and strokes.</param>
 /// <param name="Number">From 1.</param>
 /// <param name="Count">Number of sections of the job, at least 2.</param>
@@ -15,7 +15,7 @@ public sealed record JobSection(ToolSection Tool, int Number, int Count, int Fro
 
     /// <summary>The sections of a job in their order.</summary>
     /// <param name="program">Of the job, whole.</param>
-    /// <returns>Empty for a job of one tool.</returns>
+    /// <returns>Empty for a job of one section.</returns>
     public static IReadOnlyList<JobSection> Of(PreparedJob job, MotionProgram program)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -35,7 +35,7 @@ public sealed record JobSection(ToolSection Tool, int Number, int Count, int Fro
 
     /// <summary>The section that is cut next.</summary>
     /// <param name="place">Everything before it is cut.</param>
-    /// <returns>Null for a job of one tool, or where nothing is left.</returns>
+    /// <returns>Null for a job of one section, or where nothing is left.</returns>
     public static JobSection? At(PreparedJob job, MotionProgram program, JobPosition place) => Of(job, program).FirstOrDefault(section => place.Segments < section.Until);
 
     /// <summary>The section behind this one, which is not the last.</summary>
@@ -44,6 +44,9 @@ public sealed record JobSection(ToolSection Tool, int Number, int Count, int Fro
         ArgumentNullException.ThrowIfNull(job);
         return job.Sections[Number];
     }
+
+    /// <summary>The outcome of a run that completes this section, which is not the last.</summary>
+    public JobOutcome OutcomeIn(PreparedJob job) => Next(job).Repeat is null ? JobOutcome.ToolChange : JobOutcome.OperatorStop;
 
     /// <summary>The strokes of the program up to the end of this section.</summary>
     public MotionProgram UpToEnd(MotionProgram program)

@@ -20,6 +20,18 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public long? OutputFaults { get; init; }
 
+    /// <summary>The operation in two runs, each of which cut some of its passes.</summary>
+    /// <param name="later">The run that cut the later ones.</param>
+    internal MeasuredOperation With(MeasuredOperation later) => this with
+    {
+        MaxDeviation = Math.Max(MaxDeviation, later.MaxDeviation),
+        MissingLength = MissingLength + later.MissingLength,
+        ExtraLength = ExtraLength + later.ExtraLength,
+        Feed = Feed > later.Feed || later.Feed is null ? Feed : later.Feed,
+        OutputFaults = OutputFaults is null && later.OutputFaults is null ? null : (OutputFaults ?? 0) + (later.OutputFaults ?? 0),
+        Depths = [.. Depths, .. later.Depths],
+    };
+
     /// <param name="passes">In order; null for one of which nothing was cut.</param>
     /// <param name="hasHeights">The heights of the tool were measured.</param>
     /// <returns>Null where no pass of the operation was cut.</returns>

@@ -40,13 +40,14 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     }
 
     /// <summary>The program of a job that was prepared in the style of the post.</summary>
-    public static PostedProgram FromJob(PreparedJob job, IPost post, IReadOnlyDictionary<string, string> options)
+    /// <param name="withoutStops">The stops between repeats are left out: the motion of all repeats in one program.</param>
+    public static PostedProgram FromJob(PreparedJob job, IPost post, IReadOnlyDictionary<string, string> options, bool withoutStops = false)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { NoProgramReason = job.NoProgramReason };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { NoProgramReason = job.NoProgramReason };
-        if (ToolSection.RefusalOfSeveral(job.Sections) is { } several) return new PostedProgram(null, [.. job.Diagnostics, several]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", OperationRules.SeveralTools.Id) };
+        if (ToolSection.RefusalOfSeveral(job.Sections) is { } several && !(withoutStops && several.Rule == OperationRules.SeveralPrograms)) return new PostedProgram(null, [.. job.Diagnostics, several]) { NoProgramReason = Wording.Get("PostedProgram.NotWritable", several.Id) };
         var request = new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.CuttingMachine, MaxErrorMm = job.Settings.MaxErrorMm };
         return Written(post, request, job.Passes, job.Diagnostics);
     }

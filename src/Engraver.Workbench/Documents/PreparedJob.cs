@@ -55,7 +55,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>Operation and pass of each stroke; empty for a job without operations.</summary>
     public IReadOnlyList<StrokePass> Passes { get; init; } = [];
 
-    /// <summary>The parts of the job between two changes of the tool, in order; empty for a job without operations.</summary>
+    /// <summary>The parts of the job between two changes of the tool or stops, in order; empty for a job without operations.</summary>
     public IReadOnlyList<ToolSection> Sections => Settings.Operations is { } plan ? ToolSection.Of(plan, Passes) : [];
 
     /// <summary>What the controllers of the machine cannot do of the operations: the job can be posted in another format, but not run.</summary>

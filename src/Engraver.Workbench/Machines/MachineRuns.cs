@@ -93,7 +93,8 @@ public sealed class MachineRuns
                 Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
                 _status.JobEnded(report.Result);
                 if (report.Result.Outcome == JobOutcome.Complete && !given.DryRun) Part = null;
-                if (report.Result.Outcome == JobOutcome.ToolChange) Part = RestOf(job, given, report);
+                if (SectionBreak.Of(job, report) is { } at) Part = RestOf(job, given, report, at);
+                else if (report.Result.FrameOrigin is not null && !given.DryRun && Part is { Break: not null } begun) Part = begun with { Break = null }; // it has moved: it is resumed by its own journal
                 return LastRun = report;
             }
             finally
@@ -176,16 +177,24 @@ public sealed class MachineRuns
         _status.RaiseChanged();
     }
 
-    /// <summary>What is left behind a change of the tool.</summary>
-    private static JobPart RestOf(PreparedJob job, MachineRunOptions options, MachineRunReport ended) =>
-        new(new ResumeRequest { Journal = options.JournalPath }, ended.Result.Place, options.Strategy, job.DocumentDrawing, job.Settings) { Plate = job.Plate, IsToolChange = true };
+    /// <summary>What is left behind a change of the tool or a stop.</summary>
+    private static JobPart RestOf(PreparedJob job, MachineRunOptions options, MachineRunReport ended, SectionBreak at) =>
+        new(new ResumeRequest { Journal = options.JournalPath }, ended.Result.Place, options.Strategy, job.DocumentDrawing, job.Settings) { Plate = job.Plate, Break = at };
 
-    /// <summary>The drawing's zero is elsewhere now: the last job was cut at another place, and so was what START should cut of it. After a change of the tool
-    /// only the height is set again; another place is refused when the rest is started.</summary>
+    /// <summary>The drawing's zero is elsewhere now: the last job was cut at another place, and so was what START should cut of it. Between two sections only
+    /// the height is set again; another place is refused when the rest is started.</summary>
     internal void ForgetPlace()
     {
-        if (Part is not { IsToolChange: true }) Part = null;
+        if (Part is not { Break: not null }) Part = null;
         DismissJob();
+    }
+
+    /// <summary>The height of the work was set: with the tool of the next section, if the job is between two.</summary>
+    internal void NoteHeight()
+    {
+        if (Part is not { Break: { } at } rest) return;
+        Part = rest with { Break = at with { IsHeightSet = true } };
+        _status.RaiseChanged();
     }
 
     /// <param name="status">Null for a job that does not run on the connected machine.</param>

@@ -94,7 +94,9 @@ public sealed class WorkOrigins
         var watch = await _machine.IdleAsync().ConfigureAwait(false);
         var (lease, place) = await LocateAsync(watch, cancellation).ConfigureAwait(false);
         if (WorkPlacement.PositionDoubt(lease.Memory, place, _status.Profile) is { } unknown) return unknown;
-        return await SetAsync(watch, lease, (memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, StoredAxes.Of(_status.Profile)), cancellation).ConfigureAwait(false);
+        var refusal = await SetAsync(watch, lease, (memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, StoredAxes.Of(_status.Profile)), cancellation).ConfigureAwait(false);
+        if (refusal is null && withHeight) _runs.NoteHeight();
+        return refusal;
     }
 
     /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>

@@ -1,9 +1,12 @@
 using System.Globalization;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.SerialTexts;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Verification;
 
@@ -27,6 +30,9 @@ public sealed record PostParameters
     /// <summary>What the fields in the texts of the drawing stand for.</summary>
     public PlateValues Values { get; init; } = PlateValues.None;
 
+    /// <summary>Number of the section of the job, from 1, that the program cuts; null: the whole job.</summary>
+    public int? Section { get; init; }
+
     /// <summary>Program content other than the path.</summary>
     public ProgramRequirements Terms { get; init; } = TermsOf(_ => null);
 
@@ -34,6 +40,11 @@ public sealed record PostParameters
     internal MotionProgram? FittedProgram { get; init; }
 
     internal double AllowedBlendMm => 2.0 * BlendMm;
+
+    /// <summary>The job with which the program is compared.</summary>
+    /// <exception cref="SettingException">A named layer is not in the drawing, or the job has no such section.</exception>
+    internal PreparedJob JobOf(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation) =>
+        Section is { } number ? SectionJob.Prepare(drawing, settings, style, number, Values, cancellation) : JobPreparation.PrepareUnlessCancelled(drawing, settings, style, cancellation, Values);
 
     /// <summary>The post options that affect the comparison; the others affect only the notation.</summary>
     public static IReadOnlyList<string> OptionNames { get; } = ["origin", "blend", "work-offset", "tool-switch", "spindle-speed", "pen"];

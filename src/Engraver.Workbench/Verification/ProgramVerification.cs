@@ -22,12 +22,12 @@ public static class ProgramVerification
     /// <param name="reader">Reader of the program's language.</param>
     /// <param name="settings">The settings of the post: layers, units, start and machine affect the comparison.</param>
     /// <param name="posted">Its post parameters; null for the defaults.</param>
-    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    /// <exception cref="SettingException">A named layer is not in the drawing, or the job has no such section.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostParameters? posted = null)
     {
         posted ??= PostParameters.Defaults;
-        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation, posted.Values);
+        var job = posted.JobOf(drawing, settings, MotionStyle.Calls, cancellation);
         var (machine, tolerances) = (job.Settings.CuttingMachine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.LargerThan(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);

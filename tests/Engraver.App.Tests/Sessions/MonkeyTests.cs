@@ -23,7 +23,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
 
     /// <summary>Commands that write files, wait for another computer or move for as long as a job takes.</summary>
     private static readonly string[] s_left =
-        ["QSAVE", "SAVEAS", "EXPORT", "POST", "AGIEPOST", "PLOT", "REPORT", "TABLE", "LINK", "CERTIFY", "SEND", "SACEEXPORTTRAJECTORIES", "SCRIPT", "HISTORY", "CNCCOMMISSION", "CNCRUN", "CNCRESUME", "SACESIMULATE", "FILEDIA", "RECENT", "OPEN"];
+        ["QSAVE", "SAVEAS", "EXPORT", "POST", "AGIEPOST", "PLOT", "REPORT", "TABLE", "LINK", "CERTIFY", "SEND", "SACEEXPORTTRAJECTORIES", "SCRIPT", "HISTORY", "CNCCOMMISSION", "CNCRUN", "CNCRESUME", "CNCCONTINUE", "SACESIMULATE", "FILEDIA", "RECENT", "OPEN"];
 
     private static readonly string[] s_answers =
         ["", "", "", "ALL", "L", "P", "W", "C", "R", "A", "U", "0,0", "10,10", "@3,4", "10<45", "50,-20", "1e99,0", "0.5", "2", "-1", "1e300", "nan", "Yes", "No", "ON", "OFF", "sim:", "sim:?speed=max", "*", "A1", "_Close", "'ZOOM", "'", "%s{0}", "gasket.dxf", "no such file.dxf"];

@@ -17,7 +17,7 @@ public class OperationFileTests
             { "version": "1.0", "tools": {{Tools}}, // comments and trailing commas are allowed
               "operations": [
                 { "id": "o1", "name": "Outline", "on": false, "kind": "profile", "side": "outside", "select": { "layers": ["CUT"], "colours": [1, "FF0000"], "linetypes": ["DASHED"], "blocks": ["B1", "B2"], "handles": ["1A"] }, "tool": 3, "feed": 500, "plunge": 150,
-                  "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "direction": "climb", "order": "level",
+                  "spindle": 9000, "startDepth": 0.5, "depth": 3, "depthPerPass": 1, "finish": 0.2, "stock": 0.1, "repeats": 2, "stopBetween": true, "direction": "climb", "order": "level",
                   "leadIn": { "shape": "arc", "radius": 2 }, "leadOut": { "shape": "line", "length": 1.5, "direction": "tangential" }, "overcut": 2.5, "ramp": { "angle": 4, "radius": 2.5 }, "start": { "rule": "top", "at": [[1, 2], [3.5, -4]], "within": 3 }, "tabs": { "count": 4, "at": [[5, 6]], "within": 2, "width": 3, "height": 1 } },
                 { "id": "o5", "kind": "profile", "select": "rest", "tool": 3, "depth": 3, "start": { "rule": "corner" }, "tabs": { "spacing": 50, "width": 3, "height": 1, "shape": "sloped", "angle": 30 } },
                 { "id": "o6", "kind": "profile", "select": "rest", "tool": 3, "tabs": { "count": 2, "width": 3 } },
@@ -48,6 +48,7 @@ public class OperationFileTests
         Assert.Equal((FillPattern.Contour, FillPattern.Lines), (plan.Operations[7].Pattern, plan.Operations[4].Pattern));
         Assert.Equal((1.5, 0.5), (plan.Operations[4].PierceSeconds, plan.Operations[^1].DwellSeconds));
         Assert.Equal(["o9"], plan.Operations.Where(operation => operation.CutsDashes).Select(operation => operation.Id));
+        Assert.Equal(["o1"], plan.Operations.Where(operation => operation.StopsBetween).Select(operation => operation.Id));
         Assert.Equal(["o8"], plan.Operations.Where(operation => operation.TakesHatches).Select(operation => operation.Id));
         Assert.Equal((62.5, null), (plan.Operations[6].Power!.Value, plan.Operations[4].Power));
         var tool = plan.ToolOf(outline);
@@ -88,6 +89,7 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": 1, "side": "outside" }""", "OPR0003", "operations[0].side", 3)]
     [InlineData("""{ "id": "o1", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 1 }""", "OPR0003", "operations[0].stepover", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "repeats": 1.5 }""", "OPR0003", "operations[0].repeats", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "stopBetween": true }""", "OPR0003", "operations[0].stopBetween", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "on": "yes" }""", "OPR0003", "operations[0].on", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }, { "id": "o1", "kind": "engrave", "select": "rest", "tool": 3 }""", "OPR0003", "operations", 2)]
     [InlineData("""{ "id": "o1", "kind": "profile", "select": "rest", "tool": 3, "leadIn": {"shape": "arc", "length": 2} }""", "OPR0004", "operations[0].leadIn.radius", 3)]

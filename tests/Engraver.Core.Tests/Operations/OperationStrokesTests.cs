@@ -71,6 +71,25 @@ public class OperationStrokesTests
         Assert.Null(ToolSection.RefusalOfSeveral([sections[1]]));
     }
 
+    /// <summary>Two contours of two passes and a finishing pass that is cut three times: each repeat cuts both contours, and is a section with what follows it
+    /// with the same tool.</summary>
+    [Theory]
+    [InlineData("contour", "0.0 0.1 0.2 1.0 1.1 1.2")]
+    [InlineData("level", "0.0 1.0 0.1 1.1 0.2 1.2")]
+    public void A_stop_between_repeats_is_between_whole_repeats(string order, string before)
+    {
+        var operations = $$"""{ "id": "a", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 1, "depth": 1, "repeats": 2 }, { "id": "b", "kind": "engrave", "select": {"layers": ["CUT"]}, "tool": 1, "depth": 1, "depthPerPass": 0.5, "finish": 0.1, "repeats": 3, "order": "{{order}}", "stopBetween": true }, { "id": "c", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 1 }""";
+        var job = new OperationJob(new DrawingBuilder().OnLayer(Visible("CUT")).Square(0, 0, 40).Square(50, 0, 20).OnLayer(Visible("HOLES")).Circle(3, 3, 1).OnLayer(Visible("MARK")).Line(15, 5, 25, 5).Build(), operations);
+
+        var sections = ToolSection.Of(job.Plan, job.Passes.Strokes);
+        Assert.Equal([$"a 0.0 0.1 b {before}", "b 0.3 1.3", "b 0.4 1.4 c 0.0"], sections.Select(section => string.Join(' ', section.Passes.GroupBy(pass => pass.Operation.Id).Select(own => $"{own.Key} {string.Join(' ', own.Select(pass => $"{pass.Stroke}.{pass.Pass}"))}"))));
+        Assert.Equal([null, 2, 3], sections.Select(section => section.Repeat));
+        Assert.False(ToolSection.ChangesTool(sections));
+        Assert.Equal(["b", "3"], ToolSection.RefusalOfSeveral(sections)!.Facts);
+        Assert.Empty(job.CheckOf(job.Path));
+        Assert.Single(ToolSection.Of(job.Plan, [.. sections[1].Passes]));
+    }
+
     [Fact]
     public void Without_a_tool_axis_depths_and_holes_are_faults_and_strokes_are_flat()
     {

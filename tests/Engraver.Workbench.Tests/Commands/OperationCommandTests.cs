@@ -187,7 +187,7 @@ public class OperationCommandTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Contains("the rest needs tool Drill (3)", talk.Said, StringComparison.Ordinal);
-        Assert.Equal((JobOutcome.ToolChange, true), (runs.LastRun!.Result.Outcome, runs.Part is { IsToolChange: true }));
+        Assert.Equal((JobOutcome.ToolChange, true), (runs.LastRun!.Result.Outcome, runs.Part is { Break.IsToolChange: true }));
         await talk.TypeAsync("CNCZERO", "Z", "Yes");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Equal((JobOutcome.Complete, null), (runs.LastRun!.Result.Outcome, runs.Part));
@@ -196,6 +196,43 @@ public class OperationCommandTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         Assert.Equal((JobOutcome.Complete, 2), (runs.LastRun!.Result.Outcome, runs.LastRun.Sections.Count));
+    }
+
+    /// <summary>Marks with a stop before their repeat, then holes with another tool, each continued by CNCCONTINUE: it asks, also about a height that was not
+    /// set with the next tool.</summary>
+    [Fact]
+    public async Task A_job_is_continued_behind_a_stop_and_a_change_of_the_tool()
+    {
+        await using var talk = await PlateAsync();
+        await File.WriteAllTextAsync(talk.PathOf("two.json"), """
+            { "version": "1.0", "tools": [{"number": 1, "diameter": 0.2}, {"number": 3, "name": "Drill", "diameter": 3}],
+              "operations": [
+                { "id": "a", "kind": "engrave", "select": {"layers": ["MARK"]}, "tool": 1, "depth": 0.2, "repeats": 2, "stopBetween": true },
+                { "id": "b", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 3, "depth": 1 }] }
+            """);
+        await talk.TypeAsync("OPERATION", "LO", talk.PathOf("two.json"), "CNCCONNECT", "sim:", "CNCZERO", "All");
+        var runs = talk.Session.Machine.Runs;
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONTINUE"));
+
+        await talk.TypeAsync("CNCRUN", "Yes");
+        Assert.Contains("Next: Repeat 2 of 2 of a", talk.Said, StringComparison.Ordinal);
+        Assert.Equal((JobOutcome.OperatorStop, false), (runs.LastRun!.Result.Outcome, runs.Part!.Break!.NeedsHeight(talk.Session.Machine.Profile)));
+        var first = runs.LastRun;
+        await talk.TypeAsync("CNCCONTINUE", "No");
+        await talk.TypeAsync("CNCCONTINUE", "");
+        Assert.Same(first, runs.LastRun);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCCONTINUE", "Yes"));
+        Assert.Equal((JobOutcome.ToolChange, 2, first.Journal), (runs.LastRun!.Result.Outcome, runs.LastRun.Section!.Tool.Repeat, runs.LastRun.ResumedFrom is null ? null : first.Journal));
+
+        var second = runs.LastRun;
+        await talk.TypeAsync("CNCCONTINUE", "Yes");
+        Assert.Contains("was not set with tool Drill (3)", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        await talk.TypeAsync("No");
+        Assert.Same(second, runs.LastRun);
+        await talk.TypeAsync("CNCGOTO", "5,0", "CNCZERO", "All", "Yes");
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONTINUE", "Yes"));
+        Assert.Contains("JOB0040", talk.Said, StringComparison.Ordinal);
+        Assert.NotNull(runs.Part?.Break);
     }
 
     private static async Task<CommandTestSession> PlateAsync()

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Operations;
 using Engraver.TestKit;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -23,6 +24,9 @@ public class OperationProgramTests
     private const string Drawn = """
         { "id": "marks", "kind": "engrave", "select": "rest", "tool": 1 }, { "id": "cut", "kind": "engrave", "select": {"layers": ["CUT"]}, "tool": 3, "repeats": 2 }
         """;
+
+    /// <summary>A pass of 0.2 mm and one of 0.4 mm, which is cut three times.</summary>
+    private const string Repeated = """{ "id": "marks", "name": "Marks", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.4, "depthPerPass": 0.2, "repeats": 3, "stopBetween": true }""";
 
     private static readonly MachineProfile s_mill = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 1000.0) }, Height = new HeightDrive(), Spindle = new Spindle { SpinUpSeconds = 1.5 } };
 
@@ -164,6 +168,62 @@ public class OperationProgramTests
         Assert.Contains("WT 500;BGS", programs[0].Posted.Text!.Replace("JS#DOWN;WT 500\n", "WT 500;BGS", StringComparison.Ordinal), StringComparison.Ordinal);
         Assert.Empty(ToolProgram.Of(Plate(), settings with { Tool = 3 }, PostTable.Find(target).Post, PostedProgram.NoOptions, null));
         Assert.Equal("OPR0012", Assert.Single(Posted(target, Milled, s_mill).Diagnostics, finding => finding.Severity == Core.Diagnostics.Severity.Error).Id);
+    }
+
+    /// <summary>The program stops before each repeat, with the spindle off, and a reader finds a stop that is missing, in the work, or one too many.</summary>
+    [Theory]
+    [InlineData("gcode", "", "", null)]
+    [InlineData("grbl", "", "", null)]
+    [InlineData("gcode", "M0\n", "", "VER0013")]
+    [InlineData("grbl", "M0\n", "M0\nM0\nM0\n", "VER0013")]
+    [InlineData("grbl", "M5\n(Repeat 2", "(Repeat 2", "PST0001")]
+    [InlineData("grbl", "M0\n", "T1 M6\n", "PST0001")]
+    [InlineData("gcode", "M0\n", "T1 M6\n", "PST0001")]
+    public async Task A_program_of_G_code_stops_between_repeats(string target, string was, string becomes, string? id)
+    {
+        var text = Posted(target, Repeated, s_mill).Text!;
+        Assert.Equal(2, text.Split("\nM0\n").Length - 1);
+        Assert.Contains("G0 Z5\nM5\n(Repeat 2 of 3 Marks)\nM0\nM3 S18000\nG4 P1.5\n", text, StringComparison.Ordinal);
+        Assert.DoesNotContain(Posted(target, Repeated, s_mill).Diagnostics, finding => finding.Id == "OPR0035");
+
+        var at = text.IndexOf(was, StringComparison.Ordinal);
+        var report = await VerifyAsync(target, was.Length == 0 ? text : text[..at] + becomes + text[(at + was.Length)..], Settings(Repeated, s_mill));
+
+        Assert.Equal((id is null, id), (report.Ok, report.Diagnostics.Select(finding => finding.Id).FirstOrDefault()));
+    }
+
+    /// <summary>A stop between repeats with one tool and a change of the tool after it.</summary>
+    [Theory]
+    [InlineData("gcode", "(T1 V _60_)|T1 M6|M0|(T3 End mill)|T3 M6")]
+    [InlineData("grbl", "(T1 V _60_)|M0|(T3 End mill)|M0")]
+    public async Task A_stop_is_not_a_change_of_the_tool(string target, string breaks)
+    {
+        var operations = Repeated.Replace("\"repeats\": 3", "\"repeats\": 2", StringComparison.Ordinal) + ", " + """{ "id": "cut", "kind": "engrave", "select": {"layers": ["CUT"]}, "tool": 3, "depth": 2 }""";
+        var text = Posted(target, operations, s_mill).Text!;
+
+        Assert.Equal(breaks, string.Join('|', text.Split('\n').Where(line => line.StartsWith("(T", StringComparison.Ordinal) || line is "M0" || line.Contains("M6", StringComparison.Ordinal))));
+        Assert.True((await VerifyAsync(target, text, Settings(operations, s_mill))).Ok);
+        Assert.False((await VerifyAsync(target, text.Replace("\n(Repeat 2 of 2 Marks)\nM0", "", StringComparison.Ordinal), Settings(operations, s_mill))).Ok);
+    }
+
+    /// <summary>A Galil program cannot stop for the operator: a program for each repeat, each of which is verified as its section; the certificate is that of
+    /// the motion of all.</summary>
+    [Fact]
+    public async Task Repeats_with_a_stop_are_Galil_programs_of_their_own()
+    {
+        var settings = Settings(Repeated, s_mill);
+        var entry = PostTable.Find("galil");
+        var programs = ToolProgram.Of(Plate(), settings, entry.Post, PostedProgram.NoOptions, null);
+
+        Assert.Equal(["OUT-T1-1.dmc", "OUT-T1-2.dmc", "OUT-T1-3.dmc"], programs.Select(program => program.FileOf("OUT.dmc")));
+        for (var i = 0; i < 3; i++) Assert.Equal([i == 0, i > 0], [(await VerifySectionAsync(programs[i], 1)).Ok, (await VerifySectionAsync(programs[i], 2)).Ok]);
+        Assert.Equal("OPR0056", Assert.Single(Posted("galil", Repeated, s_mill).Diagnostics, finding => finding.Severity == Core.Diagnostics.Severity.Error).Id);
+        Assert.Equal("OPR0037", Assert.Single(Posted("hpgl", Drawn.Replace("\"repeats\": 2", "\"repeats\": 2, \"stopBetween\": true", StringComparison.Ordinal), MachineProfile.Default).Diagnostics, finding => finding.Severity == Core.Diagnostics.Severity.Error).Id);
+        await Assert.ThrowsAsync<SettingException>(() => VerifySectionAsync(programs[0], 4));
+        var certified = await Certification.CertifyAsync(new CertificationRequest(Plate(), null, settings, entry, DateTimeOffset.UnixEpoch), null, CancellationToken.None);
+        Assert.True(certified.Certificate is { Ok: true, Operations: [{ Depths.Count: 4 }] }, certified.NoProgramReason);
+
+        Task<VerificationReport> VerifySectionAsync(ToolProgram program, int section) => ProgramVerification.VerifyAsync(ReadBackFile.FromText(program.Posted.Text!), entry.Reader!, Plate(), settings, progress: null, CancellationToken.None, new PostParameters { Section = section });
     }
 
     private static PostedProgram Posted(string target, string operations, MachineProfile machine) => PostedProgram.Create(

@@ -56,8 +56,8 @@ public sealed class GcodePost : IPost
     private static IEnumerable<Diagnostic> OfOperations(GcodeChoice choice, PostRequest request)
     {
         if (request.Operations is not { } operations) yield break;
-        var changes = operations.Sections.Count - (choice.Dialect.HasToolChange ? 0 : 1);
-        if (operations.Sections.Count > 1) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
+        var changes = operations.Sections.Skip(1).Count(section => section.Repeat is null) + (choice.Dialect.HasToolChange ? 1 : 0);
+        if (operations.ChangeTool) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
         foreach (var operation in operations.All.Where(operation => operation.Outputs.Count > 0)) yield return OperationRules.LeftOut.At(default, "gcode", "outputs", operation.Title);
         if (request.Machine.Height is null && choice.Switch == GcodeChoice.ByDynamicPower)
         {

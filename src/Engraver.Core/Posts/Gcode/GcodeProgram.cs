@@ -33,7 +33,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     /// switch.</summary>
     private bool HasSpindle => _machine.Spindle is not null || (_machine.Height is not null && request.Operations is { StateSpindle: true });
 
-    private bool ChangesTool => request.Operations is { Sections.Count: > 1 };
+    private bool ChangesTool => request.Operations is { ChangeTool: true };
 
     public string Write()
     {
@@ -74,17 +74,32 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Dwell(_machine.Spindle?.SpinUpSeconds ?? 0.0);
     }
 
-    /// <summary>Another tool where a section begins, and the speeds of the stroke.</summary>
+    /// <summary>Another tool or a stop where a section begins, and the speeds of the stroke.</summary>
     private void Enter(ToolpathStroke stroke, int index)
     {
         (_cutFeed, _plunge) = (stroke.FeedMmPerMinute ?? _machine.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? _plunge);
         if (request.Operations is not { } operations) return;
         var (operation, before) = (operations.OperationOf(index), _speed);
         _speed = operations.SpeedOf(index, choice.SpindleSpeed);
-        if (index > 0 && operations.Sections.FirstOrDefault(section => section.FirstStroke == index) is { } section) Change(section.Tool);
+        if (index > 0 && operations.Sections.FirstOrDefault(section => section.FirstStroke == index) is { } section) Break(section);
         else if (_speed != before) Turn();
         if (operation != _operation) Line($"({Plain(operation.Title)})");
         _operation = operation;
+    }
+
+    private void Break(ToolSection section)
+    {
+        if (section.Repeat is { } repeat) Stop(section.Operations[0], repeat);
+        else Change(section.Tool);
+    }
+
+    /// <summary>With the tool up and off: the operator continues the program.</summary>
+    private void Stop(Operation operation, int repeat)
+    {
+        if (HasSpindle) Line("M5");
+        Line($"({Plain($"Repeat {repeat.ToString(CultureInfo.InvariantCulture)} of {operation.Repeats.ToString(CultureInfo.InvariantCulture)} {operation.Title}")})");
+        Line("M0");
+        Turn();
     }
 
     /// <summary>With the tool up and off. The tip of the new tool is at another height, so the next move is up.</summary>

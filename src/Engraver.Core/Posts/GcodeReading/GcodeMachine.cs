@@ -46,12 +46,13 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (block.Codes('G').Where(GcodeCodes.IsMotion).Select(code => (int?)code).FirstOrDefault() is { } motion) _motion = motion;
         if (block.Has("IJR") && _motion is not (20 or 30)) return Wording.Get("GcodeReader.ArcWordsWithoutArc");
         if ((block.Has("XYZ") || (block.Has("IJR") && _motion is 20 or 30)) && Move(block, line) is { } unmoved) return unmoved;
-        return block.Codes('M').Any(code => code is 20 or 300) ? End() : null;
+        return block.Codes('M').Any(code => code is 20 or 300) ? End(line) : null;
     }
 
     private static Vector3D StartOf(ReplayRequest request) => request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y) is var start ? new Vector3D(start.X, start.Y, 0.0) : default;
 
-    /// <summary>A change of the tool by M6 or at a stop: its tip is then at another height, as after G43, which takes its length from the tool table.</summary>
+    /// <summary>A change of the tool by M6 or at a stop: its tip is then at another height, as after G43, which takes its length from the tool table. At a stop
+    /// between repeats the tool remains.</summary>
     /// <returns>Why the tool cannot be changed here; null otherwise.</returns>
     private string? Change(GcodeBlock block)
     {
@@ -60,8 +61,8 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         _needsLength = (_needsLength || (loads && _profile.Height is not null)) && !block.Codes('G').Contains(GcodeCodes.ToolLength);
         if (block.Codes('G').Contains(GcodeCodes.ToolLength) && !_hasTool) return Wording.Get("GcodeReader.LengthWithoutTool");
         if (!isStop && !loads && !block.Codes('G').Contains(GcodeCodes.ToolLength)) return null;
-        if ((_profile.Height is { } drive ? _knowsZ && _place.Z < drive.RetractHeight : _switches.IsOn) || (isStop && _switches.Turns)) return Wording.Get("GcodeReader.ToolChangeInWork");
-        _knowsZ = _profile.Height is null;
+        if ((_profile.Height is { } drive ? _knowsZ && _place.Z < drive.RetractHeight : _switches.IsOn) || (isStop && _switches.Turns)) return Wording.Get(isStop && !_switches.IsChangeNext ? "GcodeReader.StopInWork" : "GcodeReader.ToolChangeInWork");
+        _knowsZ = _profile.Height is null || (isStop && !_switches.IsChangeNext);
         return null;
     }
 
@@ -158,9 +159,10 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     }
 
     /// <summary>The program stops the spindle and the coolant itself; an output and a tool in the work keep their state.</summary>
-    private string? End()
+    private string? End(int line)
     {
         HasEnded = true;
+        _switches.End(line);
         _switches.EndWait();
         if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsWithToolOn");
         return _profile.Height is { } drive && _tracer.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsBelowRetractHeight") : null;

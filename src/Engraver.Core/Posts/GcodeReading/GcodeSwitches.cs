@@ -21,7 +21,8 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
 
     private readonly bool _isSwitched = profile.Height is null;
     private int _loaded;
-    private int _changes;
+    private int _section;
+    private bool _hasLoaded;
     private double? _selected;
     private int? _turning;
     private double? _speed;
@@ -44,6 +45,12 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     /// <summary>Switched on, at a speed (for a laser: a power) that is not set to 0.</summary>
     public bool Turns => _turning is not null && _speed != 0.0;
 
+    /// <summary>The next section of the job begins with another tool.</summary>
+    public bool IsChangeNext => strokes is { } required && _section + 1 < required.Stops.Count && !required.Stops[_section + 1];
+
+    /// <summary>The next section of the job begins behind a stop at which the tool remains.</summary>
+    private bool IsStopNext => strokes is { } required && _section + 1 < required.Stops.Count && required.Stops[_section + 1];
+
     /// <summary>The codes of a line, in their order.</summary>
     public void Execute(GcodeBlock block, int line)
     {
@@ -62,14 +69,24 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         }
     }
 
-    /// <summary>M6 loads the selected tool and stops the spindle; at a stop the operator changes it for the next one of the job.</summary>
+    /// <summary>M6 loads the selected tool and stops the spindle; at a stop the operator changes it for the next one of the job, or lets it remain. The first
+    /// M6 loads the tool of the first section.</summary>
     private void Change(int code, int line)
     {
-        var next = strokes is { } required && _changes + (code == GcodeCodes.Stop ? 1 : 0) is var index && index < required.Tools.Count ? required.Tools[index] : 0;
-        _changes++;
-        _loaded = code == GcodeCodes.Stop ? next : (int)(_selected ?? 0.0);
-        if (code == GcodeCodes.ToolChange) _turning = null;
-        if (_loaded != next || next == 0) terms?.AddDifference(line, code == GcodeCodes.Stop ? "M0" : $"T{NumberText.Whole(_loaded)} M6", next == 0 ? Wording.Get("GcodeReader.NoCode") : $"T{NumberText.Whole(next)} M6");
+        var (isStop, isAwaited) = (code == GcodeCodes.Stop, IsStopNext);
+        if (isStop || _hasLoaded) _section++;
+        _hasLoaded |= !isStop;
+        var next = strokes is { } required && _section < required.Tools.Count ? required.Tools[_section] : 0;
+        if (!isStop || !isAwaited) _loaded = isStop ? next : (int)(_selected ?? 0.0);
+        if (!isStop) _turning = null;
+        if (isStop && isAwaited) return;
+        if (_loaded != next || next == 0 || (isAwaited && _section > 0)) terms?.AddDifference(line, isStop ? "M0" : $"T{NumberText.Whole(_loaded)} M6", next == 0 ? Wording.Get("GcodeReader.NoCode") : isAwaited ? "M0" : $"T{NumberText.Whole(next)} M6");
+    }
+
+    /// <summary>The program ends: it must have stopped before every repeat for which the job stops.</summary>
+    public void End(int line)
+    {
+        if (IsStopNext) terms?.AddDifference(line, Wording.Get("GcodeReader.NoCode"), "M0");
     }
 
     /// <summary>G4.</summary>

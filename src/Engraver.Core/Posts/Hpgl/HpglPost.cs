@@ -57,6 +57,7 @@ public sealed class HpglPost : IPost
         foreach (var operation in operations.All)
         {
             if (operation.Depth is not null) yield return OperationRules.NotInFormat.At(default, "hpgl", "depth", operation.Title);
+            if (operation.StopsBetween) yield return OperationRules.NotInFormat.At(default, "hpgl", "stopBetween", operation.Title);
             if (operation.Tool > MostPens) yield return OperationRules.NotInFormat.At(default, "hpgl", $"tool {FactText.Of(operation.Tool)}", operation.Title);
             if (operation.PierceSeconds > 0.0) yield return OperationRules.LeftOut.At(default, "hpgl", "pierce", operation.Title);
             if (operation.Outputs.Count > 0) yield return OperationRules.LeftOut.At(default, "hpgl", "outputs", operation.Title);

@@ -74,7 +74,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPosition Place, Jou
                 (not null, "givenUp") when JobJournal.Read<JournalGivenUp>(line) is { } lost => job with { GivenUp = lost.Reason },
                 (not null, "opened") => job with { Opened = JobJournal.Read<JournalOpened>(line) },
                 (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job.Reached(new JobPosition(now.Cut, now.Along), (now.X, now.Y), isAtFault: false),
-                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPosition(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome is not (JobOutcome.Stopped or JobOutcome.ToolChange)),
+                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPosition(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome != JobOutcome.Stopped && !end.Outcome.IsSectionEnd()),
                 _ => job,
             };
         }

@@ -25,7 +25,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     public string WhyNotThere()
     {
         var place = job.Place;
-        if (job.End?.Outcome == JobOutcome.ToolChange) return ""; // then the machine has left the path
+        if (job.End?.Outcome.IsSectionEnd() == true) return ""; // then the machine has left the path
         if (place <= new JobPosition(job.Header.FromSegments, job.Header.FromAlong) || job.Position is not { } at) return "";
         var here = new Point2D(at.X - job.Header.FrameX, at.Y - job.Header.FrameY);
         if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.EndedByFault ? IsNear(place, here) : IsAhead(place, here))) return "";

@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Commands.Machine;
 
@@ -18,7 +19,7 @@ internal sealed class CncRunCommand : ICommand
         if (context.RequiresManualStart) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
         if (context.Machine.Arming.Armed is { } armed)
         {
-            await RunAsync(context, armed.Job, armed.Strategy, armed.DryRun, cancellation).ConfigureAwait(false);
+            await RunArmedAsync(context, armed, cancellation).ConfigureAwait(false);
             return;
         }
 
@@ -43,6 +44,11 @@ internal sealed class CncRunCommand : ICommand
             }
         }
     }
+
+    /// <summary>Runs what is armed.</summary>
+    /// <exception cref="CommandException">The job did not complete.</exception>
+    /// <exception cref="ControllerException">The link could not be established.</exception>
+    public static Task RunArmedAsync(CommandContext context, ArmedJob armed, CancellationToken cancellation) => RunAsync(context, armed.Job, armed.Strategy, armed.DryRun, cancellation);
 
     private static async Task RunAsync(CommandContext context, PreparedJob job, ExecutionStrategy strategy, bool dryRun, CancellationToken cancellation)
     {

@@ -120,7 +120,7 @@ internal static class JobStart
 
         context.WriteMessage(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.WriteMessage(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
-        if (report is { Result.Outcome: JobOutcome.ToolChange, Section: { } section }) context.WriteMessage(Wording.Get("JobStart.ToolChange", section.Next(job).Tool.Title), MessageKind.Warning);
+        if (SectionBreak.Of(job, report) is { } at) context.WriteMessage(Wording.Get(at.IsToolChange ? "JobStart.ToolChange" : "JobStart.OperatorStop", at.NextText), MessageKind.Warning);
         else if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 

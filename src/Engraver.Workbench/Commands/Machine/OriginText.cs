@@ -23,6 +23,7 @@ internal static class OriginText
     {
         var machine = context.Machine;
         if (await machine.Origins.SetAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, machine.Profile), cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
+        if (touch.Z) machine.Runs.NoteHeight();
         var memory = machine.Connection.Lease!.Memory;
         context.WriteMessage(Sentence(memory.Active, memory.ActiveOrigin, machine.Profile), MessageKind.Result);
     }

@@ -37,7 +37,7 @@ internal static class MachineAlarms
     {
         var cause = result switch
         {
-            { Outcome: JobOutcome.Complete or JobOutcome.ToolChange } => (AlarmCause?)null,
+            _ when result.Outcome.IsAsPlanned() => (AlarmCause?)null,
             { Outcome: JobOutcome.Stopped } => AlarmCause.JobStopped,
             { Outcome: JobOutcome.LinkLost } => result.Loss == LinkLoss.Watchdog ? AlarmCause.WatchdogTripped : AlarmCause.LinkLost,
             { Outcome: JobOutcome.Deviated } => AlarmCause.Deviated,

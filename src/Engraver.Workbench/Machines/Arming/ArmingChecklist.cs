@@ -115,7 +115,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
     {
-        if (status.LastOutcome is { } outcome and not (JobOutcome.Complete or JobOutcome.ToolChange))
+        if (status.LastOutcome is { } outcome && !outcome.IsAsPlanned())
             yield return Warning(outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.LastJobDeviated") : Wording.Get("ArmingChecklist.LastJobEndedEarly", OutcomeText.DisplayText(outcome)));
     }
 

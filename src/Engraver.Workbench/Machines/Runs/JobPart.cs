@@ -16,6 +16,7 @@ public sealed record JobPart(ResumeRequest Request, JobPosition Shown, Execution
     /// <summary>The interrupted plate; null for a part that is not one of a plate.</summary>
     public Plate? Plate { get; init; }
 
-    /// <summary>It begins with another tool: the operator sets the height of the work, and the part remains.</summary>
-    public bool IsToolChange { get; init; }
+    /// <summary>The change of the tool or the stop before it: the operator may set the height of the work, and the part remains. Null for another
+    /// part.</summary>
+    public SectionBreak? Break { get; init; }
 }

@@ -9,7 +9,7 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Runs one job on one machine: connects, runs, judges, disconnects. A job of several tools ends at the next change of the tool
+/// <summary>Runs one job on one machine: connects, runs, judges, disconnects. A job of several sections ends with the next one of them
 /// (<see cref="SectionedRun"/>).</summary>
 public static class MachineRun
 {
@@ -154,6 +154,7 @@ public static class MachineRun
             Control = options.Control,
             From = beginning.Place,
             Until = section is { IsLast: false } ? section.Until : null,
+            SectionEnd = section is { IsLast: false } ? section.OutcomeIn(whole) : JobOutcome.ToolChange,
             ResumedJournal = options.Resume?.Journal,
             LeadIn = beginning.LeadIn,
             HeightOfCut = beginning.HeightOfCut,

@@ -34,10 +34,10 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>Path of the run's journal; null for a run that was refused before its start.</summary>
     public string? Journal { get; init; }
 
-    /// <summary>The strokes of one tool that the run was to cut; null for a job of one tool.</summary>
+    /// <summary>The section that the run was to cut; null for a job of one section.</summary>
     public JobSection? Section { get; init; }
 
-    /// <summary>The reports of the sections of the job that were run, one for each; empty for a job of one tool.</summary>
+    /// <summary>The reports of the sections of the job that were run, one for each; empty for a job of one section.</summary>
     public IReadOnlyList<MachineRunReport> Sections { get; private init; } = [];
 
     /// <summary>Resume position; earlier parts were cut by a previous job. Null for a job from the start.</summary>
@@ -61,7 +61,7 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>
         new(JobResult.NotStarted(placement.Program.Strokes.Count, placement.Found.Refusal!.Message), RunJudgement.Unknown, controller, plannedSeconds) { Placement = placement.Found };
 
-    /// <summary>The report of a job of several tools: how its last section ended, and the sums and largest values of all of them.</summary>
+    /// <summary>The report of a job of several sections: how its last section ended, and the sums and largest values of all of them.</summary>
     /// <param name="sections">The sections that were run, in order, at least one.</param>
     internal static MachineRunReport OfSections(IReadOnlyList<MachineRunReport> sections)
     {

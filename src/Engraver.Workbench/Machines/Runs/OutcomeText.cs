@@ -10,6 +10,7 @@ public static class OutcomeText
     {
         JobOutcome.Complete => "complete",
         JobOutcome.ToolChange => "toolChange",
+        JobOutcome.OperatorStop => "operatorStop",
         JobOutcome.Stopped => "stopped",
         JobOutcome.Refused => "refused",
         JobOutcome.Deviated => "deviated",

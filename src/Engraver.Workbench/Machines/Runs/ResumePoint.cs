@@ -35,7 +35,7 @@ internal sealed record ResumePoint(JobPosition Place, double LeadIn, OriginReque
         if (JournalSettings.ResumeRefusal(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         if (found.IsUnsealed) options.FindingReported?.Invoke(PreparationRules.JournalUnsealed.At(default, journal));
         var resumed = new ResumePoint(found.Place, leadIn + found.Doubt, options.Origin);
-        if (!found.IsToolChange && JobSection.At(job, program, found.Place) is { Number: > 1 } section && found.Place == new JobPosition(section.From, 0.0)) options.FindingReported?.Invoke(OperationRules.ToolNotChanged.At(default, journal, section.Tool.Tool.Title));
+        if (!found.IsToolChange && JobSection.At(job, program, found.Place) is { Number: > 1, Tool.Repeat: null } section && found.Place == new JobPosition(section.From, 0.0)) options.FindingReported?.Invoke(OperationRules.ToolNotChanged.At(default, journal, section.Tool.Tool.Title));
         if (request.AtOrigin) return resumed;
         if (options.Origin is OriginRequest.NamedOrigin { Name: var name }) memory = memory with { Active = name };
         var then = Format(Millimetres(program, found.Frame));

@@ -47,7 +47,7 @@ public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthM
             CommandedDeviationMm = runs.All(run => run.CommandedDeviationMm is not null) ? runs.Max(run => run.CommandedDeviationMm) : null,
             FollowingMm = runs.All(run => run.FollowingMm is not null) ? following.FollowingMm : null,
             FollowingAt = following.FollowingAt,
-            Operations = [.. runs.SelectMany(run => run.Operations)],
+            Operations = [.. runs.SelectMany(run => run.Operations).GroupBy(operation => operation.Id).Select(parts => parts.Aggregate((before, after) => before.With(after)))],
         };
     }
 }

@@ -16,7 +16,7 @@ internal static class RunVerdict
     /// <returns>The unchanged result, or <see cref="JobOutcome.Deviated"/> with position and size.</returns>
     public static JobResult Judge(PreparedJob job, MotionProgram program, JobResult result, RunJudgement judgement)
     {
-        if (result.Outcome is not (JobOutcome.Complete or JobOutcome.ToolChange)) return result;
+        if (!result.Outcome.IsAsPlanned()) return result;
         var tolerances = RunJudge.Tolerances(job);
         var (allowed, lag) = (AllowedDeviation(job, program, judgement, tolerances), RunJudge.AllowedFollowing(program));
         if ((judgement.CommandedDeviationMm ?? judgement.MaxDeviationMm) is { } commanded && commanded > allowed)
