@@ -23,13 +23,10 @@ public sealed class SectionBreakModel : ObservableObject
     private string? _asked;
     private bool _isGuarded;
 
-    /// <summary>From a click until its command has ended or asks: a second click must not continue behind the next section.</summary>
-    private bool _isContinuing;
-
     public SectionBreakModel(DesktopModel desk)
     {
         _desk = desk;
-        Continue = new RelayCommand(() => _ = ContinueAsync(), () => Reason is null);
+        Continue = new RelayCommand(ContinueNow, () => Reason is null);
         Stop = new RelayCommand(Leave);
         desk.Notifications.Changed += Refresh;
         Refresh();
@@ -66,7 +63,7 @@ public sealed class SectionBreakModel : ObservableObject
     private SectionBreak? Break => Part?.Break;
 
     /// <summary>Why the job cannot be continued now, as a key of <see cref="KeyReasons"/>; null: it can.</summary>
-    private string? Reason => _isContinuing || _desk.Queue.IsBusy || _desk.Prompt.Command is not null ? "CommandActive" : _isGuarded ? "JustAsked" : Status.State == MachineState.Armed ? null : KeyReasons.Arm(Status);
+    private string? Reason => _desk.Queue.IsBusy || _desk.Prompt.Command is not null ? "CommandActive" : _isGuarded ? "JustAsked" : Status.State == MachineState.Armed ? null : KeyReasons.Arm(Status);
 
     private void Refresh()
     {
@@ -80,20 +77,10 @@ public sealed class SectionBreakModel : ObservableObject
         Continue.RaiseCanExecuteChanged();
     }
 
-    private async Task ContinueAsync()
+    /// <summary>A second click while the first one is at work does nothing: it would continue behind the next section.</summary>
+    private void ContinueNow()
     {
-        if (Reason is not null) return;
-        _isContinuing = true;
-        Refresh();
-        try
-        {
-            await _desk.Queue.RunAsync("CNCCONTINUE", "Yes");
-        }
-        finally
-        {
-            _isContinuing = false;
-            Refresh();
-        }
+        if (Reason is null) _ = _desk.Queue.RunAsync("CNCCONTINUE", "Yes");
     }
 
     private async Task GuardAsync()
