@@ -10,6 +10,7 @@ using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Operations;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
@@ -157,12 +158,15 @@ internal sealed class RunVerb
             _following = await StoppableVerb.ComputeAsync(() => plan.Following(drawing, settings, strategy.Style, stop), stop).ConfigureAwait(false);
             for (var index = plan.First; index < plan.End; index++)
             {
+                var tool = index > plan.First && !parsed.GetValue(_dryRun) ? FirstToolAgain() : null;
+                if (tool is not null && !AsksAtBreaks(parsed)) return EndBeforePlate(plan, settings, index, code);
                 if (index > plan.First && plan.Series.StartsBlank(index) && !await plan.AskForBlankAsync(_host, index, stop).ConfigureAwait(false))
                 {
                     Keep(RunReport.NotStarted(settings, null, JobOutcome.Stopped), null);
                     return ExitCode.StoppedByOperator;
                 }
 
+                if (tool is not null && !await AskForFirstToolAsync(plan, index, settings, tool, stop).ConfigureAwait(false)) return EndBeforePlate(plan, settings, index, code);
                 if (index > plan.First) _following = null; // all are inside: this was checked before the first
                 remaining = index > plan.First ? plan.InterruptedText(index, null) : null;
                 using var turn = plan.Turn(index);
@@ -185,6 +189,29 @@ internal sealed class RunVerb
             return ExitCode.Usage;
         }
     }
+
+    /// <summary>The tool with which the next plate begins, where the last one ended with another; null otherwise.</summary>
+    private CuttingTool? FirstToolAgain() => _job is { Sections: [{ Tool: var first }, .., { Tool: var last }] } && first.Number != last.Number ? first : null;
+
+    /// <summary>Waits until the operator has put in the first tool again.</summary>
+    /// <returns>False: there is no input, and the series ends here.</returns>
+    /// <exception cref="OperationCanceledException">The operator stopped.</exception>
+    private async Task<bool> AskForFirstToolAsync(SeriesPlan plan, int index, DrawingSettings settings, CuttingTool tool, CancellationToken stop)
+    {
+        await _host.Error.WriteLineAsync(Wording.Get(settings.Machine.Axes.Z is null ? "Series.FirstToolFlat" : "Series.FirstTool", index + 1, plan.Series.Count, tool.Title)).ConfigureAwait(false);
+        return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
+    }
+
+    /// <summary>The series ends for a change of the tool before a plate.</summary>
+    private int EndBeforePlate(SeriesPlan plan, DrawingSettings settings, int index, int code)
+    {
+        Keep(RunReport.NotStarted(settings, null, JobOutcome.ToolChange), null);
+        _host.Error.WriteLine(plan.InterruptedText(index, null));
+        return code;
+    }
+
+    /// <summary>Whether the run asks at a change of the tool and at a stop, or ends there.</summary>
+    private bool AsksAtBreaks(ParseResult parsed) => (parsed.GetValue(_toolChange) ?? (_host.Interactive && !parsed.GetValue(_json) ? Ask : Stop)) == Ask;
 
     /// <summary>Reports the errors in the letters of all plates before the first one is engraved.</summary>
     /// <returns>False if there are errors that the operator did not accept.</returns>
@@ -320,7 +347,7 @@ internal sealed class RunVerb
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
     private async Task<bool> AskToContinueAsync(ParseResult parsed, PreparedJob job, MachineRunReport ended, MachineRunReport? refused, CancellationToken stop)
     {
-        if ((parsed.GetValue(_toolChange) ?? (_host.Interactive && !parsed.GetValue(_json) ? Ask : Stop)) == Stop) return false;
+        if (!AsksAtBreaks(parsed)) return false;
         if ((refused?.ResumeRefusal ?? refused?.Placement?.Refusal) is { } why) _host.Report(parsed, job.Drawing.FileName, [why]);
         else if (refused is not null) await _host.Error.WriteLineAsync($"engraver: {refused.Result.Message}").ConfigureAwait(false);
         await _host.Error.WriteLineAsync(BreakText("Run.ChangeTool", "Run.ChangeToolFlat", "Run.CheckWork", job, ended)).ConfigureAwait(false);

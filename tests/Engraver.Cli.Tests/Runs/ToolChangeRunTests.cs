@@ -106,6 +106,27 @@ public sealed class ToolChangeRunTests : IDisposable
         Assert.DoesNotContain("OPR0030", first.Error + stopped.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>A plate ends with tool 3: nothing of the next one moves before tool 1 is in the machine again.</summary>
+    [Fact]
+    public async Task Every_plate_of_a_series_begins_with_its_first_tool()
+    {
+        var operations = _folder.WithFile("two.json", """
+            { "version": "1.0", "tools": [{"number": 1, "name": "Engraver", "diameter": 0.2}, {"number": 3, "name": "Drill", "diameter": 3}], "operations": [
+                { "id": "a", "kind": "engrave", "select": {"layers": ["HOLES"]}, "tool": 1, "depth": 0.2 }, { "id": "b", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 3, "depth": 1 }] }
+            """);
+        string[] run = ["run", .. _job[..^1], operations, "--connect", "sim:", "--json", "--grid", "2x1", "--pitch", "100,0", "--tool-change", "ask"];
+
+        var asked = await CliRun.Typing("\n\n\n", run);
+        Assert.True(asked.ExitCode == ExitCode.Done, asked.Error);
+        Assert.Contains("Plate 2 of 2 begins with tool Engraver (1)", asked.Error, StringComparison.Ordinal);
+        Assert.Equal(["complete", "complete"], JsonText.Of(asked).GetProperty("plates").EnumerateArray().Select(plate => plate.GetProperty("outcome").GetString()));
+
+        var ended = await CliRun.Typing("\n", run);
+        Assert.Equal((ExitCode.Done, "toolChange"), (ended.ExitCode, JsonText.Of(ended).GetProperty("outcome").GetString()));
+        Assert.Equal("complete", Assert.Single(JsonText.Of(ended).GetProperty("plates").EnumerateArray()).GetProperty("outcome").GetString());
+        Assert.Contains("--first-cell 2", ended.Error, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task The_plan_has_a_time_for_every_section_and_a_program_for_one_tool_is_refused()
     {
