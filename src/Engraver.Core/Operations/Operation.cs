@@ -98,6 +98,9 @@ public sealed record Operation
     /// <summary>Distance of the lines of a fill from the contours, mm; null: the radius of the tool.</summary>
     public double? Inset { get; init; }
 
+    /// <summary>Way of a beam before and behind each line of a fill at full speed while it is off, mm; 0 for none.</summary>
+    public double Overscan { get; init; }
+
     /// <summary>Direction of straight rows, degrees counter-clockwise from the X axis.</summary>
     public double AngleDegrees { get; init; }
 

@@ -165,6 +165,7 @@ public sealed record OperationAssignment
             if (machine.Height is null && operation.Kind == OperationKind.Drill) yield return OperationRules.NoToolAxis.At(default, operation.Title, "drill");
             else if (machine.Height is null && (operation.DepthByWidth || operation.Depth is not null)) yield return OperationRules.NoToolAxis.At(default, operation.Title, "depth");
             if (machine.Height is not null && operation.Power is not null) yield return OperationRules.BeamOnAxis.At(default, operation.Title, "power");
+            else if (machine.Height is not null && operation.Overscan > 0.0) yield return OperationRules.BeamOnAxis.At(default, operation.Title, "overscan");
             else if (machine.Height is not null && operation is { Depth: null, DepthByWidth: false }) yield return OperationRules.NoDepth.At(default, operation.Title);
         }
 

@@ -46,7 +46,7 @@ public static class OperationFile
     private static readonly string[] s_operationFields =
     [
         "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", RepeatsField, StopField, "outputs", "direction", "order",
-        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "stepover", ZigzagField, "angle", "peck", "maxDiameter", "dwell", "pierce",
+        "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "overscan", "stepover", ZigzagField, "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
     /// <summary>The fields that an operation of a kind may have, in the order in which they are described.</summary>
@@ -242,6 +242,7 @@ public static class OperationFile
             Spacing = of.Number("spacing", 0.0, 1e3, includesLowest: false) ?? 0.0,
             Pattern = of.Choice<FillPattern>("pattern") ?? FillPattern.Lines,
             IsCross = of.Switch("cross", false),
+            Overscan = of.Number("overscan", 0.0, 1e3, includesLowest: false) ?? 0.0,
             Inset = of.Number("inset", 0.0, 1e3, includesLowest: false),
             Stepover = of.Number("stepover", 0.0, 0.99, includesLowest: false) ?? 0.4,
             IsZigzag = of.Switch(ZigzagField, false),
@@ -282,12 +283,17 @@ public static class OperationFile
         if (operation is { Direction: not CutDirection.Any, Side: ProfileSide.Left or ProfileSide.Right }) of.Invalid(of.PathOf("direction"), OperationFields.WordOf(operation.Direction), Wording.Get("OperationFile.ClosedSides"));
         if (operation is { Tabs.Height: { } height, Depth: { } bottom } && height >= bottom - operation.StartDepth) of.Invalid(of.PathOf("tabs.height"), FactText.Of(height), Wording.Get("OperationFile.BelowDepth", FactText.Of(bottom - operation.StartDepth)));
         if (operation is { Kind: OperationKind.Pocket, IsZigzag: false, AngleDegrees: not 0.0 }) of.Invalid(of.PathOf("angle"), FactText.Of(operation.AngleDegrees), Wording.Get("OperationFile.OnlyFor", ZigzagField));
-        foreach (var field in ((string[])["angle", "cross"]).Where(field => operation is { Kind: OperationKind.Fill, Pattern: FillPattern.Contour } && of.Has(field)))
+        foreach (var field in ((string[])["angle", "cross", "overscan"]).Where(field => operation is { Kind: OperationKind.Fill, Pattern: FillPattern.Contour } && of.Has(field)))
         {
             of.Invalid(of.PathOf(field), OperationFields.Shown(of.Find(field)!.Value), Wording.Get("OperationFile.OnlyFor", OperationFields.WordOf(FillPattern.Lines)));
         }
 
         if (operation is { HelixRadius: { } helix, Kind: not (OperationKind.Profile or OperationKind.Pocket) }) of.Invalid(of.PathOf("ramp.radius"), FactText.Of(helix), Wording.Get("OperationFile.OnlyFor", string.Join(", ", ((OperationKind[])[OperationKind.Profile, OperationKind.Pocket]).Select(OperationFields.WordOf))));
+        foreach (var field in ((string[])["depth", "pierce"]).Where(field => operation.Overscan > 0.0 && of.Has(field)))
+        {
+            of.Invalid(of.PathOf("overscan"), OperationFields.Shown(of.Find("overscan")!.Value), Wording.Get("OperationFile.NotWith", field));
+        }
+
         foreach (var field in ((string[])["spindle", "depth"]).Where(field => operation.Power is not null && of.Has(field)))
         {
             of.Invalid(of.PathOf("power"), OperationFields.Shown(of.Find("power")!.Value), Wording.Get("OperationFile.NotWith", field));
@@ -307,7 +313,7 @@ public static class OperationFile
     private static readonly (string Field, OperationKind[] Kinds)[] s_fieldsOfKinds =
     [
         ("power", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("dashes", [OperationKind.Engrave]), ("hatches", [OperationKind.Pocket, OperationKind.Fill]), ("side", [OperationKind.Profile]), ("stock", [OperationKind.Profile, OperationKind.Pocket]), ("direction", [OperationKind.Profile]), ("leadIn", [OperationKind.Profile]), ("leadOut", [OperationKind.Profile]), ("start", [OperationKind.Profile]), ("tabs", [OperationKind.Profile]), ("overcut", [OperationKind.Profile]), ("ramp", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("stepover", [OperationKind.Pocket]),
-        (ZigzagField, [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
+        (ZigzagField, [OperationKind.Pocket]), ("angle", [OperationKind.Pocket, OperationKind.Fill]), ("spacing", [OperationKind.Fill]), ("pattern", [OperationKind.Fill]), ("cross", [OperationKind.Fill]), ("inset", [OperationKind.Fill]), ("overscan", [OperationKind.Fill]), ("peck", [OperationKind.Drill]), ("dwell", [OperationKind.Drill]), ("pierce", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("maxDiameter", [OperationKind.Drill]),
         ("depthPerPass", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]), ("finish", [OperationKind.Engrave, OperationKind.Profile, OperationKind.Pocket, OperationKind.Fill]),
     ];
 

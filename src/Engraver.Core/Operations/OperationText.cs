@@ -161,6 +161,7 @@ internal static class OperationText
         if (operation.Pattern == FillPattern.Lines) writer.WriteBoolean("cross", operation.IsCross);
         if (operation.Pattern == FillPattern.Lines) writer.WriteNumber("angle", operation.AngleDegrees);
         WriteNumber(writer, "inset", operation.Inset);
+        WriteNumber(writer, "overscan", operation.Overscan == 0.0 ? null : operation.Overscan);
     }
 
     private static void WritePocket(Utf8JsonWriter writer, Operation operation)

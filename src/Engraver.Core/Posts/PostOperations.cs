@@ -9,6 +9,9 @@ public sealed record PostOperations(OperationPlan Plan, IReadOnlyList<ToolSectio
 {
     private readonly Operation[] _operations = [.. Sections.SelectMany(section => section.Passes).Select(pass => pass.Operation)];
 
+    /// <summary>Operation and pass of each stroke, in the order of cutting.</summary>
+    public IReadOnlyList<StrokePass> Passes => [.. Sections.SelectMany(section => section.Passes)];
+
     /// <summary>The operations, each once, in the order of cutting.</summary>
     public IEnumerable<Operation> All => _operations.Distinct();
 

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Operations;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Settings;
 
@@ -24,7 +25,7 @@ internal sealed class InspectStage() : JobStage<CheckedJob, CheckedJob>("Inspect
 
     private static IEnumerable<Diagnostic> OutsideBlank(CheckedJob job)
     {
-        var (box, blank) = (FrameOutline.BoundsOf(job.Toolpath), job.Settings.Placement.Blank);
+        var (box, blank) = (FrameOutline.BoundsOf(job.Toolpath).Union(BeamOverscan.BoundsOf(job.Toolpath, job.Passes)), job.Settings.Placement.Blank);
         if (blank == default || box.IsEmpty) yield break;
         var outside = new[] { -box.MinX, -box.MinY, box.MaxX - blank.X, box.MaxY - blank.Y }.Max();
         if (outside > job.Settings.MaxErrorMm) yield return PlacementRules.OutsideBlank.At(default, FactText.Of(outside, 3));

@@ -23,7 +23,7 @@ public class OperationFileTests
                 { "id": "o6", "kind": "profile", "select": "rest", "tool": 3, "tabs": { "count": 2, "width": 3 } },
                 { "id": "o2", "kind": "pocket", "select": "rest", "tool": 3, "depth": 1, "stepover": 0.3, "zigzag": true, "angle": 30 },
                 { "id": "o4", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "angle": 45, "cross": true, "inset": 0.1, "pierce": 1.5 },
-                { "id": "o8", "kind": "fill", "select": "rest", "tool": 3, "spacing": 0.5, "hatches": true },
+                { "id": "o8", "kind": "fill", "select": "rest", "tool": 3, "spacing": 0.5, "hatches": true, "overscan": 2.5 },
                 { "id": "o9", "kind": "engrave", "select": "rest", "tool": 3, "dashes": true, "power": 62.5 },
                 { "id": "o7", "kind": "fill", "select": "rest", "tool": 3, "depth": 0.2, "spacing": 0.5, "pattern": "contour" },
                 { "id": "o3", "kind": "drill", "select": { "layers": ["H"] }, "tool": 4, "depth": 5, "peck": 2, "maxDiameter": 4, "dwell": 0.5, }
@@ -50,6 +50,7 @@ public class OperationFileTests
         Assert.Equal(["o9"], plan.Operations.Where(operation => operation.CutsDashes).Select(operation => operation.Id));
         Assert.Equal(["o1"], plan.Operations.Where(operation => operation.StopsBetween).Select(operation => operation.Id));
         Assert.Equal(["o8"], plan.Operations.Where(operation => operation.TakesHatches).Select(operation => operation.Id));
+        Assert.Equal((2.5, 0.0), (plan.Operations[5].Overscan, plan.Operations[4].Overscan));
         Assert.Equal((62.5, null), (plan.Operations[6].Power!.Value, plan.Operations[4].Power));
         var tool = plan.ToolOf(outline);
         Assert.Equal(("End mill", ToolKind.Endmill, 3.0, 2, 9.0, 600.0, 200.0, 12000.0), (tool.Name, tool.Kind, tool.Diameter, tool.Flutes!.Value, tool.MaxDepth!.Value, tool.Feed!.Value, tool.Plunge!.Value, tool.Spindle!.Value));
@@ -77,6 +78,11 @@ public class OperationFileTests
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": 0 }""", "OPR0003", "operations[0].depth", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": 1, "startDepth": 1 }""", "OPR0003", "operations[0].depth", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "depth": "lineWidth" }""", "OPR0003", "operations[0].depth", 3)]
+    [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "overscan": 2 }""", "OPR0003", "operations[0].overscan", 3)]
+    [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3, "spacing": 1, "overscan": 0 }""", "OPR0003", "operations[0].overscan", 3)]
+    [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3, "spacing": 1, "overscan": 2, "pattern": "contour" }""", "OPR0003", "operations[0].overscan", 3)]
+    [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3, "spacing": 1, "overscan": 2, "depth": 1 }""", "OPR0003", "operations[0].overscan", 3)]
+    [InlineData("""{ "id": "o1", "kind": "fill", "select": "rest", "tool": 3, "spacing": 1, "overscan": 2, "pierce": 1 }""", "OPR0003", "operations[0].overscan", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "power": 0 }""", "OPR0003", "operations[0].power", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "power": 100.5 }""", "OPR0003", "operations[0].power", 3)]
     [InlineData("""{ "id": "o1", "kind": "engrave", "select": "rest", "tool": 3, "power": 50, "spindle": 100 }""", "OPR0003", "operations[0].power", 3)]

@@ -29,7 +29,11 @@ public sealed class GcodePost : IPost
     {
         ArgumentNullException.ThrowIfNull(request);
         var choice = GcodeChoice.Of(request);
-        return new OperationSupport($"{Name} --tool-switch {choice.Switch}") { HasPower = request.Machine is { Height: null, Spindle: null } && choice.HasSpeed };
+        return new OperationSupport($"{Name} --tool-switch {choice.Switch}") 
+        {
+            HasPower = request.Machine is { Height: null, Spindle: null } && choice.HasSpeed,
+            HasOverscan = request.Machine is { Height: null, Spindle: null } && choice.Dialect.HasLaserMode && choice.Switch == GcodeChoice.ByDynamicPower,
+        };
     }
 
     public PostOutput Write(PostRequest request)
@@ -81,6 +85,11 @@ public sealed class GcodePost : IPost
             isAnyBelow |= drive is not null && !(Math.Min(move.StartZ, move.EndZ) >= drive.CutDepth);
             var source = request.SourceOf?.Invoke(move.EntityIndex) ?? default;
             if ((Beyond(move, grid, source) ?? (drive is null ? null : CutHeights.Finding(move, drive, source))) is { } finding && reported.Add(move.EntityIndex)) yield return finding;
+        }
+
+        if (request.Operations is { } operations && BeamOverscan.BoundsOf(request.Path, operations.Passes) is { IsEmpty: false } ways && new[] { -ways.MinX, -ways.MinY, ways.MaxX, ways.MaxY }.Max() > GcodeGrid.Largest)
+        {
+            yield return PostRules.PlaceNotWritable.At(default, FactText.Of(ways.MinX), FactText.Of(ways.MinY), grid.Text(grid.Of(GcodeGrid.Largest)));
         }
 
         if (drive is not null && !isAnyBelow) yield return MotionRules.NoDepth.At(default);

@@ -43,6 +43,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
             var stroke = request.Path.Strokes[i];
             Enter(stroke, i);
             if (_machine.Height is { } drive) foreach (var lift in CutHeights.PassHeights(stroke, drive)) CutWithAxis(stroke, drive, lift);
+            else if (_operation is { Overscan: > 0.0 } fill) CutWithOverscan(stroke, fill.Overscan);
             else CutWithSwitch(stroke);
         }
 
@@ -146,6 +147,22 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Dwell(_machine.OffSettleSeconds);
     }
 
+    /// <summary>Each line with its ways before and behind it: in laser mode S changes between motions without a stop, and S0 is a beam that is off.</summary>
+    private void CutWithOverscan(ToolpathStroke stroke, double overscan)
+    {
+        var power = $" S{NumberText.Rounded(_speed, 4)}";
+        foreach (var line in stroke.Moves.Select(move => move.Segment))
+        {
+            var (from, to) = BeamOverscan.Around(line, overscan);
+            Rapid(from);
+            Line("M4 S0");
+            LineTo(_grid.Of(line.Start), 0, " S0");
+            LineTo(_grid.Of(line.End), 0, power);
+            LineTo(_grid.Of(to), 0, " S0");
+            ToolOff();
+        }
+    }
+
     private void CutWithAxis(ToolpathStroke stroke, HeightDrive drive, double lift)
     {
         var above = lift - drive.CutDepth;
@@ -182,7 +199,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         else Arc(segment);
     }
 
-    private void LineTo(GridPlace to, long z)
+    private void LineTo(GridPlace to, long z, string power = "")
     {
         if (to == _place && z == _z) return;
         var (from, start) = (_grid.Millimetres(_place), _z * _grid.Unit);
@@ -190,7 +207,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         var speed = _cutFeed;
         if (_machine.Height is not null && fall > 0.0) speed = Math.Min(speed, _plunge * double.Hypot(from.DistanceTo(_grid.Millimetres(to)), fall) / fall);
         var height = z == _z ? "" : $" Z{_grid.Text(_z = z)}";
-        Line($"G1 X{_grid.Text(to.X)} Y{_grid.Text(to.Y)}{height}{Feed(speed)}");
+        Line($"G1 X{_grid.Text(to.X)} Y{_grid.Text(to.Y)}{height}{Feed(speed)}{power}");
     }
 
     /// <summary>An arc whose height over its chord is less than half a unit is its chord: rounded ends would change its direction arbitrarily.</summary>

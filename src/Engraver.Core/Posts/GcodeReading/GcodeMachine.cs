@@ -12,6 +12,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private readonly GcodeTracer _tracer = new(request);
     private readonly MachineProfile _profile = request.Machine;
     private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements, request.Strokes);
+    private readonly GcodeOverscan _overscan = new(request.Requirements, request.Strokes);
     private Vector3D _place = StartOf(request);
     private bool _knowsX;
     private bool _knowsY;
@@ -127,9 +128,19 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         var offset = GcodeCodes.WorkOffsetText(_workOffset ?? GcodeCodes.UsualWorkOffset);
         if (offset != terms.Required.WorkOffset) terms.AddDifference(line, offset, terms.Required.WorkOffset);
         if (_needsLength) terms.AddDifference(line, "G49", "G43");
-        if (_motion == 0) return;
+        if (_profile.Height is null) Follow(to, line);
+        if (_motion == 0 || (_profile.Height is null && !_switches.IsOn && _motion == 10)) return;
         if (_profile.Height is { } drive ? to.X == _place.X && to.Y == _place.Y && to.Z == drive.ClearanceHeight : !_switches.IsOn) terms.AddDifference(line, $"G{_motion / 10}", "G0");
         else _switches.Cut(line, request.Strokes?.Passing(new Point2D(to.X, to.Y), _profile.Height is null ? null : to.Z));
+    }
+
+    /// <summary>A motion of a tool that is switched.</summary>
+    private void Follow(Vector3D to, int line)
+    {
+        var (start, end) = (new Point2D(_place.X, _place.Y), new Point2D(to.X, to.Y));
+        if (_motion != 10) _overscan.End();
+        else if (_switches.IsOn) _overscan.Cut(start, end, _feed, line);
+        else _overscan.Pass(start, end, _feed, line);
     }
 
     /// <summary>The waits of operations before a motion: between the arrival of the tool at the work and the first move, and before the tool is taken
@@ -164,6 +175,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         HasEnded = true;
         _switches.End(line);
         _switches.EndWait();
+        _overscan.End();
         if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsWithToolOn");
         return _profile.Height is { } drive && _tracer.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsBelowRetractHeight") : null;
     }
