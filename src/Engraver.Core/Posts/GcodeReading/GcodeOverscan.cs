@@ -10,7 +10,7 @@ internal sealed class GcodeOverscan(RequirementsJudge? terms, StrokeRequirements
     private const double Rounding = 0.0003;
 
     private OffMotion? _before;
-    private Line? _last;
+    private OverscanLine? _last;
 
     /// <summary>A straight motion at feed while the beam is off.</summary>
     public void Pass(Point2D from, Point2D to, double feed, int line)
@@ -47,7 +47,7 @@ internal sealed class GcodeOverscan(RequirementsJudge? terms, StrokeRequirements
         EndLine();
         if (_before is not { } before) Add(line, 0.0, required);
         else if (!Continues(to, from, before.To, before.From, required) || before.Feed != feed) Add(before.Line, before.Length, required);
-        (_before, _last) = (null, new Line(from, to, feed, required, line));
+        (_before, _last) = (null, new OverscanLine(from, to, feed, required, line));
     }
 
     /// <summary>Another motion, or the end of the program.</summary>
@@ -82,5 +82,5 @@ internal sealed class GcodeOverscan(RequirementsJudge? terms, StrokeRequirements
 
     /// <param name="Required">Way that must follow, mm.</param>
     /// <param name="Number">Line of the program's text.</param>
-    private readonly record struct Line(Point2D From, Point2D To, double Feed, double Required, int Number);
+    private readonly record struct OverscanLine(Point2D From, Point2D To, double Feed, double Required, int Number);
 }
