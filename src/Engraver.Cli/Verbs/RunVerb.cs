@@ -10,7 +10,6 @@ using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
-using Engraver.Core.Operations;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
@@ -77,6 +76,12 @@ internal sealed class RunVerb
 
     /// <summary>The last run ended for a change of the tool or a stop.</summary>
     private bool _isAtSectionEnd;
+
+    /// <summary>Number of the tool with which the last plate ended; null before, and without operations.</summary>
+    private int? _lastTool;
+
+    /// <summary>The series ended before a plate that begins with another tool.</summary>
+    private bool _needsOtherTool;
 
     /// <summary>The trajectories to run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
@@ -158,22 +163,19 @@ internal sealed class RunVerb
             _following = await StoppableVerb.ComputeAsync(() => plan.Following(drawing, settings, strategy.Style, stop), stop).ConfigureAwait(false);
             for (var index = plan.First; index < plan.End; index++)
             {
-                var tool = index > plan.First && !parsed.GetValue(_dryRun) ? FirstToolAgain() : null;
-                if (tool is not null && !AsksAtBreaks(parsed)) return EndBeforePlate(plan, settings, index, code);
                 if (index > plan.First && plan.Series.StartsBlank(index) && !await plan.AskForBlankAsync(_host, index, stop).ConfigureAwait(false))
                 {
                     Keep(RunReport.NotStarted(settings, null, JobOutcome.Stopped), null);
                     return ExitCode.StoppedByOperator;
                 }
 
-                if (tool is not null && !await AskForFirstToolAsync(plan, index, settings, tool, stop).ConfigureAwait(false)) return EndBeforePlate(plan, settings, index, code);
                 if (index > plan.First) _following = null; // all are inside: this was checked before the first
                 remaining = index > plan.First ? plan.InterruptedText(index, null) : null;
                 using var turn = plan.Turn(index);
                 var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
                 await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
-                if (machine == ExitCode.Done && !_isAtSectionEnd) continue;
+                if (machine == ExitCode.Done && !_isAtSectionEnd && !_needsOtherTool) continue;
                 if (plan.InterruptedText(index, _startedJournal) is { } advice) _host.Error.WriteLine(advice);
                 return machine == ExitCode.Done ? code : machine; // accepted errors count also at a change of the tool
             }
@@ -190,24 +192,15 @@ internal sealed class RunVerb
         }
     }
 
-    /// <summary>The tool with which the next plate begins, where the last one ended with another; null otherwise.</summary>
-    private CuttingTool? FirstToolAgain() => _job is { Sections: [{ Tool: var first }, .., { Tool: var last }] } && first.Number != last.Number ? first : null;
-
-    /// <summary>Waits until the operator has put in the first tool again.</summary>
-    /// <returns>False: there is no input, and the series ends here.</returns>
+    /// <summary>Waits until the operator has put in the first tool of a plate, where the plate before ended with another.</summary>
+    /// <returns>False: nobody is asked, or there is no input, and the series ends before this plate.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
-    private async Task<bool> AskForFirstToolAsync(SeriesPlan plan, int index, DrawingSettings settings, CuttingTool tool, CancellationToken stop)
+    private async Task<bool> HasFirstToolAsync(ParseResult parsed, PreparedJob job, Plate plate, CancellationToken stop)
     {
-        await _host.Error.WriteLineAsync(Wording.Get(settings.Machine.Axes.Z is null ? "Series.FirstToolFlat" : "Series.FirstTool", index + 1, plan.Series.Count, tool.Title)).ConfigureAwait(false);
+        if (_lastTool is not { } last || parsed.GetValue(_dryRun) || job.Sections is not [{ Tool: var first }, ..] || first.Number == last) return true;
+        if (!AsksAtBreaks(parsed)) return false;
+        await _host.Error.WriteLineAsync(Wording.Get(job.Settings.Machine.Axes.Z is null ? "Series.FirstToolFlat" : "Series.FirstTool", plate.Number, first.Title)).ConfigureAwait(false);
         return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
-    }
-
-    /// <summary>The series ends for a change of the tool before a plate.</summary>
-    private int EndBeforePlate(SeriesPlan plan, DrawingSettings settings, int index, int code)
-    {
-        Keep(RunReport.NotStarted(settings, null, JobOutcome.ToolChange), null);
-        _host.Error.WriteLine(plan.InterruptedText(index, null));
-        return code;
     }
 
     /// <summary>Whether the run asks at a change of the tool and at a stop, or ends there.</summary>
@@ -253,6 +246,13 @@ internal sealed class RunVerb
         }
 
         if (fit is null || program.SegmentCount == 0) return (ReportNotStarted(job, job.NoProgramReason), code);
+        if (turn is not null && !await HasFirstToolAsync(parsed, job, turn.Plate, stop).ConfigureAwait(false))
+        {
+            _needsOtherTool = true;
+            Keep(RunReport.NotStarted(settings, null, JobOutcome.ToolChange), null);
+            return (ExitCode.Done, code);
+        }
+
         return (await RunOnMachineAsync(parsed, job, fit, strategy, turn, stop).ConfigureAwait(false), code);
     }
 
@@ -312,6 +312,7 @@ internal sealed class RunVerb
             section => RunSectionAsync(job, fit, section with { Control = new JobControl() }, quiet, () => checks, stop),
             (ended, refused) => AskToContinueAsync(parsed, job, ended, refused, stop)).ConfigureAwait(false);
         _isAtSectionEnd = report.Result.Outcome.IsSectionEnd();
+        if (report.Result.Outcome == JobOutcome.Complete && job.Sections is [.., { Tool.Number: var tool }]) _lastTool = tool;
         _startedJournal = report.Result.FrameOrigin is null ? null : report.Journal;
         if (turn is not null && await turn.EndAsync(report).ConfigureAwait(false) is { } unnoted) _host.Report(parsed, job.Drawing.FileName, [unnoted]);
         return Finish(parsed, job, report, report.Journal ?? options.JournalPath, checks);

@@ -9,4 +9,8 @@ namespace Engraver.Core.Posts;
 /// <param name="Tool">Number of the tool.</param>
 /// <param name="PierceSeconds">Wait before the first move.</param>
 /// <param name="DwellSeconds">Wait after the last move.</param>
-public sealed record StrokeRequirement(double Feed, double? Plunge, double? Spindle, double? Power, double Overscan, int Tool, double PierceSeconds, double DwellSeconds);
+public sealed record StrokeRequirement(double Feed, double? Plunge, double? Spindle, double? Power, double Overscan, int Tool, double PierceSeconds, double DwellSeconds)
+{
+    /// <summary>Outputs that are on besides tool and spindle; bit 0 is output 1.</summary>
+    public int Outputs { get; init; }
+}

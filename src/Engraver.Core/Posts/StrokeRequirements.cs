@@ -30,7 +30,7 @@ public sealed class StrokeRequirements
         for (var i = 0; i < path.Strokes.Count; i++)
         {
             var stroke = path.Strokes[i];
-            var required = new StrokeRequirement(stroke.FeedMmPerMinute ?? feed, stroke.PlungeMmPerMinute, operations.SpindleOf(i), operations.OperationOf(i).Power, operations.OperationOf(i).Overscan, operations.OperationOf(i).Tool, stroke.PierceSeconds, stroke.DwellSeconds);
+            var required = new StrokeRequirement(stroke.FeedMmPerMinute ?? feed, stroke.PlungeMmPerMinute, operations.SpindleOf(i), operations.OperationOf(i).Power, operations.OperationOf(i).Overscan, operations.OperationOf(i).Tool, stroke.PierceSeconds, stroke.DwellSeconds) { Outputs = stroke.Outputs };
             _strokes.Add((At(stroke.Start, stroke.Moves[0].StartZ), At(stroke.End, stroke.Moves[^1].EndZ), required));
             _moves.AddRange(stroke.Moves.Select(move => (move, i)));
         }

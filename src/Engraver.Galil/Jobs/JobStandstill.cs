@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Sessions;
 
@@ -27,7 +28,7 @@ internal sealed class JobStandstill(ControllerSession session, JobMachine machin
             end = WithMotors(end, await new FollowingCheck(session, machine.Profile).AtRestAsync().ConfigureAwait(false));
             var doubt = await WhyStepsMayBeLostAsync(end).ConfigureAwait(false); // before the tool goes up, which leaves another stop code
             if (end.IsEarly) await strategy.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
-            if (isHandMove || machine.Profile is { Height: null, Spindle: null }) return (WithDoubt(end, doubt), standstill);
+            if (isHandMove || machine.Profile is { Height: null } && Subprograms.RestOff(machine.Profile).Length == 0) return (WithDoubt(end, doubt), standstill);
             int? clearance = machine.Frame.Taken is { } frame ? frame.Z + machine.Profile.ClearanceCounts : null;
             var (rest, warning) = await new ToolRetreat(session, machine.Profile).RunAsync(standstill, clearance, end.Doubt.Length > 0, options.PollInterval).ConfigureAwait(false);
             return (WithDoubt(warning.Length == 0 ? end : end with { Sentence = $"{end.Sentence} {warning}" }, doubt), rest);

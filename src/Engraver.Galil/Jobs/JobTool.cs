@@ -25,8 +25,11 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>How the tool is brought to the work and taken away at the present stroke; null: as the profile states.</summary>
     public StrokeTerms? Terms { get; set; }
 
-    /// <summary>The outputs as this job has set them last; null before.</summary>
-    private (int On, double? Volts)? _outputs;
+    /// <summary>The outputs of operations as this job has set them last; null where they are not known.</summary>
+    private int? _outputs;
+
+    /// <summary>Volts of the analog output as this job has set them last; null before, and without one.</summary>
+    private double? _volts;
 
     private StrokeTerms? PresentTerms => machine.Phase.Program is { } program ? program.TermsAt(machine.State.Calls) : Terms;
 
@@ -70,20 +73,26 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// switched on only by <see cref="TurnForProgramAsync"/>.</summary>
     public ValueTask TurnAsync(bool on) => on && machine.Phase.TurnsForPrograms ? ValueTask.CompletedTask : SwitchSpindleAsync(on);
 
+    /// <summary>In a hold the spindle alone stops: outputs of operations stay as they are.</summary>
+    public ValueTask StopInHoldAsync() => SwitchSpindleAsync(on: false, isHeld: true);
+
     /// <summary>Spindle on for a program that is loaded and watched; waits until it has its speed.</summary>
     public ValueTask TurnForProgramAsync() => SwitchSpindleAsync(on: true);
 
-    private async ValueTask SwitchSpindleAsync(bool on)
+    private async ValueTask SwitchSpindleAsync(bool on, bool isHeld = false)
     {
         if (dryRun) return;
         if (!on)
         {
-            await machine.Commands.SendAllAsync(Subprograms.RestOffCommands(machine.Profile)).ConfigureAwait(false);
-            _outputs = null;
+            await machine.Commands.SendAllAsync(isHeld ? Subprograms.SpindleOffCommands(machine.Profile) : Subprograms.RestOffCommands(machine.Profile)).ConfigureAwait(false);
+            if (!isHeld) _outputs = null;
+            _volts = null;
         }
         else if (machine.Profile.Spindle is { } spindle)
         {
-            await machine.Commands.SendAllAsync(Subprograms.SpindleOn(spindle, PresentTerms)).ConfigureAwait(false);
+            var terms = PresentTerms;
+            await machine.Commands.SendAllAsync(Subprograms.SpindleOn(spindle, terms)).ConfigureAwait(false);
+            _volts = spindle.SpeedAxis is null ? null : terms?.Volts ?? spindle.SpeedVolts;
             await WaitAsync(spindle.SpinUpSeconds).ConfigureAwait(false);
         }
     }
@@ -93,10 +102,10 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     public async ValueTask PrepareAsync(StrokeTerms? terms)
     {
         Terms = terms;
-        if (dryRun || terms is not { SetsOutputs: true } || _outputs == (terms.OutputsOn, terms.Volts)) return;
+        if (dryRun || terms is not { SetsOutputs: true } || (_outputs == terms.OutputsOn && _volts == terms.Volts)) return;
         await machine.Commands.SendAllAsync(Subprograms.Outputs(machine.Profile, terms)).ConfigureAwait(false);
-        if (terms.ReadySeconds > 0.0 && _outputs is { } before && before.Volts != terms.Volts) await WaitAsync(terms.ReadySeconds).ConfigureAwait(false);
-        _outputs = (terms.OutputsOn, terms.Volts);
+        if (terms.ReadySeconds > 0.0 && _volts is { } before && before != terms.Volts) await WaitAsync(terms.ReadySeconds).ConfigureAwait(false);
+        (_outputs, _volts) = (terms.OutputsOn, terms.Volts);
     }
 
     /// <summary>At rapid speed down to the retract height, then at the plunge feed; straight up where the tool is lower.</summary>

@@ -73,10 +73,20 @@ internal static class Subprograms
     /// <summary>Switches off what the job has switched on besides the tool: spindle, outputs of operations, power of a beam.</summary>
     public static IReadOnlyList<string> RestOffCommands(MachineProfile profile) =>
     [
-        .. profile.Spindle is { } spindle ? (string[])[Switch(spindle.Output, spindle.IsActiveLow)] : [],
-        .. profile.AnalogAxis is { } axis ? (string[])[$"OF{axis}=0"] : [],
+        .. SpindleOffCommands(profile),
         .. OutputSwitch.Of(profile.OperationOutputs).Select(output => Switch(output.Output, output.IsActiveLow)),
     ];
+
+    /// <summary>Spindle off, with the analog output of speed or power at 0 V.</summary>
+    public static IReadOnlyList<string> SpindleOffCommands(MachineProfile profile) =>
+    [
+        .. profile.Spindle is { } spindle ? (string[])[Switch(spindle.Output, spindle.IsActiveLow)] : [],
+        .. profile.AnalogAxis is { } axis ? (string[])[$"OF{axis}=0"] : [],
+    ];
+
+    /// <summary>The outputs that a program switches by SB or CB, each once.</summary>
+    public static IEnumerable<int> SwitchedIn(string program) =>
+        program.Split('\n', ';').Select(statement => statement.Trim()).Where(statement => statement.Length == 3 && statement[..2] is "SB" or "CB" && statement[2] is >= '1' and <= '8').Select(statement => statement[2] - '0').Distinct();
 
     /// <summary>The same as one statement of a line; empty where there is nothing to switch off.</summary>
     public static string RestOff(MachineProfile profile) => string.Join(';', RestOffCommands(profile));

@@ -15,6 +15,9 @@ public static class UserFiles
     /// <summary>The operator's aliases; the file need not exist.</summary>
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
 
+    /// <summary>Templates of operations, NAME.operations.json; the folder need not exist.</summary>
+    public static string Templates => Path.Combine(Folder, "templates");
+
     /// <summary>The counters of serial texts (docs/serial-text.md).</summary>
     /// <param name="folder">The data folder.</param>
     public static string CountersIn(string folder) => Path.Combine(folder, "counters", "counters.json");

@@ -54,6 +54,32 @@ public sealed class OperationOutputRunTests : IDisposable
         Assert.Contains("OPR0048", wrong.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>LinuxCNC numbers outputs from 0; grbl has none.</summary>
+    [Fact]
+    public async Task A_program_for_LinuxCNC_switches_them_and_one_for_grbl_says_that_it_does_not()
+    {
+        var program = _folder.PathOf("a.ngc");
+        string[] post = ["--target", "gcode", "-o", program, "--spindle-speed", "9000"];
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["post", .. Job("air", 6000), .. post])).ExitCode);
+        var lines = await File.ReadAllLinesAsync(program);
+        Assert.Equal(["M65 P4", "M64 P4", "M65 P4"], lines.Where(line => line.StartsWith("M6", StringComparison.Ordinal)));
+        Assert.True(Array.IndexOf(lines, "M64 P4") < Array.FindIndex(lines, line => line.StartsWith("G1", StringComparison.Ordinal)));
+        string[] verify = ["verify", program, "--spindle-speed", "9000", "--against"];
+
+        var right = await CliRun.RunAsync([.. verify, .. Job("air", 6000)]);
+        Assert.True(right.ExitCode == ExitCode.Done, right.Error);
+        foreach (var (damaged, expected) in ((string[], string)[])[([.. lines.Where(line => line != "M64 P4")], "M64 P4"), ([.. lines.Select(line => line == "M64 P4" ? "M64 P5" : line)], "VER0013")])
+        {
+            await File.WriteAllLinesAsync(program, damaged);
+            var wrong = await CliRun.RunAsync([.. verify, .. Job("air", 6000)]);
+            Assert.Equal(ExitCode.DrawingError, wrong.ExitCode);
+            Assert.Contains(expected, wrong.Error, StringComparison.Ordinal);
+        }
+
+        var grbl = await CliRun.RunAsync(["post", .. Job("air", 6000), .. post, "--dialect", "grbl"]);
+        Assert.Contains("OPR0038", grbl.Error, StringComparison.Ordinal);
+    }
+
     /// <summary>Half the power at the holes and full power at the line; without the axis nothing moves.</summary>
     [Fact]
     public async Task The_power_of_a_beam_is_an_analog_output()

@@ -118,13 +118,30 @@ public sealed class ToolChangeRunTests : IDisposable
 
         var asked = await CliRun.Typing("\n\n\n", run);
         Assert.True(asked.ExitCode == ExitCode.Done, asked.Error);
-        Assert.Contains("Plate 2 of 2 begins with tool Engraver (1)", asked.Error, StringComparison.Ordinal);
+        Assert.Contains("Plate 2 begins with tool Engraver (1)", asked.Error, StringComparison.Ordinal);
         Assert.Equal(["complete", "complete"], JsonText.Of(asked).GetProperty("plates").EnumerateArray().Select(plate => plate.GetProperty("outcome").GetString()));
 
         var ended = await CliRun.Typing("\n", run);
         Assert.Equal((ExitCode.Done, "toolChange"), (ended.ExitCode, JsonText.Of(ended).GetProperty("outcome").GetString()));
         Assert.Equal("complete", Assert.Single(JsonText.Of(ended).GetProperty("plates").EnumerateArray()).GetProperty("outcome").GetString());
         Assert.Contains("--first-cell 2", ended.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>The second plate has no text: it begins with the drill, which is still in the machine, and the third with the engraver again.</summary>
+    [Fact]
+    public async Task A_plate_is_asked_for_its_own_first_tool()
+    {
+        var drawing = _folder.WithFile("plates.dxf", System.Text.Encoding.ASCII.GetString(DxfText.WithEntities((0, "TEXT"), (8, "T"), (10, 0.0), (20, 5.0), (40, 3.0), (1, "[[csv:name?]]"), (0, "CIRCLE"), (8, "HOLES"), (10, 2.0), (20, 2.0), (40, 1.0)).ToAscii()));
+        var operations = _folder.WithFile("text.json", """
+            { "version": "1.0", "tools": [{"number": 1, "name": "Engraver", "diameter": 0.2}, {"number": 3, "name": "Drill", "diameter": 2}], "operations": [
+                { "id": "a", "kind": "engrave", "select": "rest", "tool": 1, "depth": 0.2 }, { "id": "b", "kind": "drill", "select": {"layers": ["HOLES"]}, "tool": 3, "depth": 1 }] }
+            """);
+        var run = await CliRun.Typing("\n\n\n", ["run", drawing, "--machine", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), "--cut", "text", "--operations", operations, "--csv", _folder.WithFile("rows.csv", "name,size\nA,1\n,2\nC,3\n"), "--grid", "3x1", "--pitch", "30,0", "--connect", "sim:", "--json", "--tool-change", "ask"]);
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        Assert.Equal(3, JsonText.Of(run).GetProperty("plates").GetArrayLength());
+        Assert.Equal(["Plate 3 begins with tool Engraver (1)"], run.Error.Split('\n').Where(line => line.Contains("begins with tool", StringComparison.Ordinal)).Select(line => line[..line.IndexOf('.', StringComparison.Ordinal)]));
+        Assert.Equal(2, run.Error.Split("Change to tool Drill (3)").Length - 1);
     }
 
     [Fact]

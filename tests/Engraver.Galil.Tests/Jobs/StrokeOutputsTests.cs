@@ -80,6 +80,49 @@ public class StrokeOutputsTests
     }
 
     [Theory]
+    [MemberData(nameof(Modes))]
+    public async Task A_stop_takes_the_power_away(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        using var stop = new CancellationTokenSource();
+        var program = Lines(mode, 0, 0);
+        program = program with { Profile = program.Profile with { OperationOutputs = 0, Power = new AnalogOutput('D', 8.0) }, Strokes = [.. program.Strokes.Select(stroke => stroke with { Terms = new StrokeTerms(0, 0.0, 0.0) { Volts = 5.0 } })] };
+
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress is { ToolOn: true, Seconds: > 0.3 }, stop.Cancel), stop.Token);
+
+        Assert.Equal((JobOutcome.Stopped, "0"), (result.Outcome, await bench.NumberAsync("_OFD")));
+    }
+
+    /// <summary>A job with outputs left its program; what was the owner's is given back all the same by a job without them.</summary>
+    [Fact]
+    public void A_program_that_switches_outputs_is_known_as_our_own_under_every_profile()
+    {
+        var profile = MachineProfile.Default;
+        foreach (var outputs in (int[])[0, Air, Air | Coolant, 0b11111110])
+        {
+            Assert.True(Engraver.Galil.Jobs.Execution.ResidentServer.IsOwn(Engraver.Galil.Jobs.Execution.ResidentServer.Program(JobMode.Stream, profile with { OperationOutputs = outputs }).Text, profile));
+        }
+
+        Assert.False(Engraver.Galil.Jobs.Execution.ResidentServer.IsOwn("#AUTO\nSB2\nEN\n", profile));
+    }
+
+    /// <summary>Each part starts the spindle at the speed of its first stroke.</summary>
+    [Fact]
+    public void A_program_in_several_parts_starts_each_at_its_own_speed()
+    {
+        var program = Lines(JobMode.Stream, 0, 0);
+        program = program with
+        {
+            Profile = program.Profile with { OperationOutputs = 0, Spindle = new Spindle { Output = 4, SpeedAxis = 'D', SpeedVolts = 9.0, SpinUpSeconds = 1.5, FullSpeed = 18000.0 } },
+            Strokes = [.. program.Strokes.Select((stroke, index) => stroke with { Sequences = [stroke.Sequences[0] with { Segments = [.. Enumerable.Range(1, 200).Select(i => HeightBench.Line(new(2000 + (100 * (i - 1)), stroke.Start.Y), new(2000 + (100 * i), stroke.Start.Y)))] }], Terms = new StrokeTerms(0, 0.0, 0.0) { Volts = 3.0 * (index + 1), ReadySeconds = 1.5 * index } })],
+        };
+        var parts = DmcPost.Sequences(program, DmcPostOptions.Default with { MemoryLines = 60 }).Chunks;
+
+        Assert.Equal(2, parts.Count);
+        Assert.Equal(["MOD;OFD=3;SB4;WT 1500", "MOD;OFD=6;SB4;WT 1500"], parts.Select(part => part.Split('\n').Single(line => line.StartsWith("MOD", StringComparison.Ordinal))));
+    }
+
+    [Theory]
     [InlineData(MotionStyle.Continuous)]
     [InlineData(MotionStyle.Calls)]
     public void A_posted_program_sets_them_before_each_stroke_and_switches_everything_off(MotionStyle style)

@@ -13,6 +13,9 @@ public sealed record StoredMachineState
     /// <summary>The origins that were set, by name.</summary>
     public IReadOnlyDictionary<string, WorkOrigin> Origins { get; init; } = new Dictionary<string, WorkOrigin>();
 
+    /// <summary>The same with the origins that were set, without those that a job has assumed.</summary>
+    public StoredMachineState WithoutAssumed() => this with { Origins = Origins.Where(origin => !origin.Value.IsAssumed).ToDictionary() };
+
     /// <summary>The number that was stored in the controller; null before the first session that moved it.</summary>
     public int? Mark { get; init; }
 

@@ -29,7 +29,7 @@ public sealed class GcodePost : IPost
     {
         ArgumentNullException.ThrowIfNull(request);
         var choice = GcodeChoice.Of(request);
-        return new OperationSupport($"{Name} --tool-switch {choice.Switch}") 
+        return new OperationSupport($"{Name} --tool-switch {choice.Switch}")
         {
             HasPower = request.Machine is { Height: null, Spindle: null } && choice.HasSpeed,
             HasOverscan = request.Machine is { Height: null, Spindle: null } && choice.Dialect.HasLaserMode && choice.Switch == GcodeChoice.ByDynamicPower,
@@ -62,7 +62,7 @@ public sealed class GcodePost : IPost
         if (request.Operations is not { } operations) yield break;
         var changes = operations.Sections.Skip(1).Count(section => section.Repeat is null) + (choice.Dialect.HasToolChange ? 1 : 0);
         if (operations.ChangeTool) yield return OperationRules.ToolChanged.At(default, FactText.Of(changes), Wording.Get(choice.Dialect.HasToolChange ? "GcodePost.ByTable" : "GcodePost.ByHand"));
-        foreach (var operation in operations.All.Where(operation => operation.Outputs.Count > 0)) yield return OperationRules.LeftOut.At(default, "gcode", "outputs", operation.Title);
+        foreach (var operation in operations.All.Where(operation => operation.Outputs.Count > 0 && !choice.Dialect.HasOutputs)) yield return OperationRules.LeftOut.At(default, "gcode", "outputs", operation.Title);
         if (request.Machine.Height is null && choice.Switch == GcodeChoice.ByDynamicPower)
         {
             // The beam is off while the machine is at rest.

@@ -28,6 +28,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     private double _plunge = request.Machine.Height?.PlungeMmPerMinute ?? 0.0;
     private double _speed = request.Operations?.SpeedOf(0, choice.SpindleSpeed) ?? choice.SpindleSpeed;
     private Operation? _operation;
+    private int _outputs;
 
     /// <summary>The program starts and stops a spindle: that of the profile, or that of operations which state its speed on a machine whose tool is not a
     /// switch.</summary>
@@ -47,6 +48,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
             else CutWithSwitch(stroke);
         }
 
+        SwitchOutputs(0);
         if (HasSpindle) Line("M5");
         Line(choice.End.ToUpperInvariant());
         if (choice.Dialect.HasPercent) Line("%");
@@ -61,6 +63,8 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Line("G94 G40 G49 G80");
         Line($"{choice.WorkOffset} {(choice.Blend > 0.0 ? $"G64 P{NumberText.Rounded(choice.Blend, 4)}" : "G61")}");
         if (_machine.Height is null) ToolOff();
+        _outputs = choice.Dialect.HasOutputs ? _machine.OperationOutputs : 0; // they may be on
+        SwitchOutputs(0);
         if (ChangesTool && choice.Dialect.HasToolChange) Load(request.Operations!.Sections[0].Tool);
         else if (request.Operations is { } operations) Comment(operations.Sections[0].Tool);
         if (_machine.Height is { } drive) Rise(drive);
@@ -86,10 +90,20 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         else if (_speed != before) Turn();
         if (operation != _operation) Line($"({Plain(operation.Title)})");
         _operation = operation;
+        SwitchOutputs(stroke.Outputs);
+    }
+
+    /// <summary>The outputs of operations that are to be on; none in a dialect without them.</summary>
+    private void SwitchOutputs(int wanted)
+    {
+        if (!choice.Dialect.HasOutputs) return;
+        foreach (var output in OutputSwitch.Of(_outputs ^ wanted)) Line(OutputLine(output.Output, output.IsOn(wanted)));
+        _outputs = wanted;
     }
 
     private void Break(ToolSection section)
     {
+        SwitchOutputs(0);
         if (section.Repeat is { } repeat) Stop(section.Operations[0], repeat);
         else Change(section.Tool);
     }
@@ -245,18 +259,18 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         GcodeChoice.ByDynamicPower => $"M4 S{NumberText.Rounded(_speed, 4)}",
         GcodeChoice.BySpindle => $"M3 S{NumberText.Rounded(_speed, 4)}",
         GcodeChoice.ByCoolant => "M8",
-        _ => OutputLine(!_machine.ToolActiveLow),
+        _ => OutputLine(_machine.ToolOutput, !_machine.ToolActiveLow),
     });
 
     private void ToolOff() => Line(choice.Switch switch
     {
         GcodeChoice.BySpindle or GcodeChoice.ByDynamicPower => "M5",
         GcodeChoice.ByCoolant => "M9",
-        _ => OutputLine(_machine.ToolActiveLow),
+        _ => OutputLine(_machine.ToolOutput, _machine.ToolActiveLow),
     });
 
     /// <summary>G-code numbers outputs from 0.</summary>
-    private string OutputLine(bool level) => $"{(level ? "M64" : "M65")} P{(_machine.ToolOutput - 1).ToString(CultureInfo.InvariantCulture)}";
+    private static string OutputLine(int output, bool level) => $"{(level ? "M64" : "M65")} P{(output - 1).ToString(CultureInfo.InvariantCulture)}";
 
     private void Dwell(double seconds)
     {

@@ -11,7 +11,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private readonly GcodeTracer _tracer = new(request);
     private readonly MachineProfile _profile = request.Machine;
-    private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements, request.Strokes);
+    private readonly GcodeSwitches _switches = new(request.Machine, request.Requirements, request.Strokes, controller != GcodeController.Grbl);
     private readonly GcodeOverscan _overscan = new(request.Requirements, request.Strokes);
     private Vector3D _place = StartOf(request);
     private bool _knowsX;

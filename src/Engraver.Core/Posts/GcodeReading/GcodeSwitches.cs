@@ -6,7 +6,8 @@ namespace Engraver.Core.Posts.GcodeReading;
 /// <summary>The switching of the program in addition to the path (spindle, coolant, outputs) and its waits after a switch; compared with the job and the
 /// profile if requested.</summary>
 /// <param name="strokes">What operations require; null without them.</param>
-internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? terms, StrokeRequirements? strokes)
+/// <param name="hasOutputs">The dialect switches outputs by number.</param>
+internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? terms, StrokeRequirements? strokes, bool hasOutputs)
 {
     /// <summary>Times and speeds are written with four decimals.</summary>
     private const double Decimals = 0.0001;
@@ -27,6 +28,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     private int? _turning;
     private double? _speed;
     private bool _coolant;
+    private int _outputs;
     private double _waited;
     private double _due;
     private int _line;
@@ -62,6 +64,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
             if (code is Clockwise or CounterClockwise or SpindleOff) _turning = code == SpindleOff ? null : code;
             else if (code is 70 or CoolantOn or CoolantOff) _coolant = code != CoolantOff;
             else if (code is >= 620 and <= OutputOff && block['P'] == profile.ToolOutput - 1) IsOutputOn = (code is 620 or OutputOn) != profile.ToolActiveLow;
+            else if (code is >= 620 and <= OutputOff && BitOf(block['P']) is { } bit) _outputs = code is 620 or OutputOn ? _outputs | bit : _outputs & ~bit;
             else if (code is GcodeCodes.ToolChange || (code == GcodeCodes.Stop && strokes is { Tools.Count: > 1 })) Change(code, line);
             if (RequiredInstead(code, block['P']) is { } expected) terms?.AddDifference(line, Spelled(code, block['P']), expected);
             if (_isSwitched && IsOn != wasOn) Await(IsOn ? profile.ToolSettleSeconds : profile.OffSettleSeconds, line);
@@ -114,6 +117,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         if (terms is null) return;
         var usual = terms.Required.SpindleSpeed;
         if (passing is { Count: > 0 } && strokes is { Tools.Count: > 1 } && !passing.Any(stroke => stroke.Tool == Tool)) terms.AddDifference(line, $"T{NumberText.Whole(Tool)}", $"T{NumberText.Whole(passing[0].Tool)}");
+        if (passing is { Count: > 0 } && hasOutputs && !passing.Any(stroke => stroke.Outputs == _outputs)) terms.AddDifference(line, SpelledOutputs(_outputs), SpelledOutputs(passing[0].Outputs));
         if (!(HasSpindle || (_isSwitched && (IsRequired("m3") || IsRequired("m4"))))) return;
         List<double> allowed = passing is { Count: > 0 } ? [.. passing.Select(stroke => stroke.Power is { } percent ? percent / 100.0 * usual : stroke.Spindle ?? usual)] : strokes is null ? [usual] : [];
         if (allowed.Count > 0 && !allowed.Exists(speed => Math.Abs((_speed ?? double.NaN) - speed) <= Decimals)) terms.AddDifference(line, _speed is { } actual ? $"S{NumberText.Rounded(actual, 4)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{NumberText.Rounded(allowed[0], 4)}");
@@ -138,6 +142,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
             Clockwise => HasSpindle || (_isSwitched && IsRequired("m3")),
             CounterClockwise => _isSwitched && IsRequired("m4"),
             CoolantOn => _isSwitched && IsRequired("m8"),
+            OutputOn or OutputOff when BitOf(output) is not null => true,
             OutputOn or OutputOff => _isSwitched && IsRequired("m64") && output == profile.ToolOutput - 1,
             _ => false,
         };
@@ -146,6 +151,11 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
         if (!_isSwitched) return Wording.Get("GcodeReader.NoCode");
         return terms.Required.ToolSwitch switch { "m4" => "M4, M5", "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
     }
+
+    /// <summary>The bit of an output that operations switch, by its number in the program, which counts from 0; null for another one.</summary>
+    private int? BitOf(double? output) => output is >= 0.0 and < 8.0 && (profile.OperationOutputs & (1 << (int)output)) is > 0 and var bit ? bit : null;
+
+    private static string SpelledOutputs(int outputs) => outputs == 0 ? Wording.Get("GcodeReader.NoOutput") : string.Join(", ", OutputSwitch.Of(outputs).Select(output => string.Create(CultureInfo.InvariantCulture, $"M64 P{output.Output - 1}")));
 
     private static string Spelled(int code, double? output) => code is >= 620 and <= OutputOff ? $"M{NumberText.Rounded(code / 10.0, 4)} P{NumberText.Rounded(output ?? 0.0, 4)}" : $"M{NumberText.Rounded(code / 10.0, 4)}";
 }

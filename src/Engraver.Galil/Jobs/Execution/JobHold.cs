@@ -179,7 +179,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, JobLog log
         {
             await machine.Tool.ClearAsync().ConfigureAwait(false);
             var stops = machine.Profile.Spindle is { StopsInHold: true };
-            if (stops) await machine.Tool.TurnAsync(on: false).ConfigureAwait(false);
+            if (stops) await machine.Tool.StopInHoldAsync().ConfigureAwait(false);
             if (Phase != JobPhase.Held) Holds++;
             Enter(JobPhase.Held);
             var moves = new HeldMoves(machine, control, log, limits);

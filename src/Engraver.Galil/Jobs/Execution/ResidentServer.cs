@@ -49,8 +49,12 @@ internal static class ResidentServer
     };
 
     /// <summary>True for a resident program of a job with this profile, of any mode, and for its homing.</summary>
-    public static bool IsOwn(string program, MachineProfile profile) =>
-        ProgramText.AreEquivalent(program, ForStream(profile).Text) || ProgramText.AreEquivalent(program, ForCalls(profile).Text) || (profile.HasHoming && ProgramText.AreEquivalent(program, ForHoming(profile).Text)) || SupervisedProgram.IsChunk(program, profile);
+    /// <remarks>Whatever outputs the operations of that job switched: they are those that the program switches besides tool and spindle.</remarks>
+    public static bool IsOwn(string program, MachineProfile profile)
+    {
+        profile = profile with { OperationOutputs = Subprograms.SwitchedIn(program).Where(output => !profile.IsToolOrSpindle(output)).Aggregate(0, (word, output) => word | (1 << (output - 1))) };
+        return ProgramText.AreEquivalent(program, ForStream(profile).Text) || ProgramText.AreEquivalent(program, ForCalls(profile).Text) || (profile.HasHoming && ProgramText.AreEquivalent(program, ForHoming(profile).Text)) || SupervisedProgram.IsChunk(program, profile);
+    }
 
     public static string StartCommand(ResidentProgram program) => DmcFormat.Text($"XQ {program.EntryLabel},{MainThread}");
 

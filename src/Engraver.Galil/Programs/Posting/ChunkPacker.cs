@@ -57,7 +57,7 @@ internal sealed class ChunkPacker
     private static int FixedLines(PostTemplate form)
     {
         const int CommentLine = 1;
-        return form.Opening(0).Count + form.Closing.Count + CommentLine;
+        return form.Opening(0, null).Count + form.Closing.Count + CommentLine;
     }
 
     private void Add(MotionStroke stroke)
@@ -116,7 +116,7 @@ internal sealed class ChunkPacker
         {
             var text = new StringBuilder();
             if (_chunks.Count > 1) text.Append(CultureInfo.InvariantCulture, $"'CHUNK {chunks.Count + 1} OF {_chunks.Count}\n");
-            foreach (var line in _form.Opening(done).Concat(job).Concat(_form.Closing)) text.Append(line).Append('\n');
+            foreach (var line in _form.Opening(done, parts.Count > 0 ? parts[0].Terms : null).Concat(job).Concat(_form.Closing)) text.Append(line).Append('\n');
             chunks.Add(new ProgramChunk(text.ToString(), parts));
             done += job.Count;
         }

@@ -39,7 +39,7 @@ public static class DmcPost
     private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options)
     {
         var ownPlunges = HasOwnPlunges(program);
-        return new PostTemplate(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
+        return new PostTemplate((done, first) => CallsOpening(program, done, first, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
     }
 
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
@@ -49,7 +49,7 @@ public static class DmcPost
         var spelling = new SequenceSyntax(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff, terms => Ready(program.Profile, terms));
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        return new PostTemplate(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
+        return new PostTemplate((done, first) => Opening(program, done, first, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
     }
 
     private static PostOutput Posted(MotionProgram program, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
@@ -67,8 +67,9 @@ public static class DmcPost
     /// <summary>Positions relative to the position of the machine at the start of the job.</summary>
     private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
 
+    /// <param name="first">Terms of the first stroke of this part.</param>
     /// <param name="variables">Their initial values; #UP counts as well, so they are set both before and after it.</param>
-    private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables, DmcPostOptions options)
+    private static IReadOnlyList<string> Opening(MotionProgram program, int done, StrokeTerms? first, string variables, DmcPostOptions options)
     {
         var types = MotorTypeTest.Lines(program.Profile);
         var lines = new ProgramLines().Line("#JOB").Line(types.Count > 0 ? ToolOff(program.Profile) : string.Empty);
@@ -76,7 +77,7 @@ public static class DmcPost
         lines.Line(types.Count > 0 ? string.Empty : ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         if (program.Profile.Height is not null) lines.Line(variables).Line(DmcFormat.Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
-        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle, program.Strokes.Count > 0 ? program.Strokes[0].Terms : null), spindle.SpinUpSeconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
+        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle, first), spindle.SpinUpSeconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
         lines.Line([.. PowerZero(program.Profile)]);
         return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
@@ -91,7 +92,7 @@ public static class DmcPost
         _ => $"o{name}=_RP{axis.Letter}",
     }));
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, DmcPostOptions options) => Opening(program, done, DmcFormat.Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, StrokeTerms? first, DmcPostOptions options) => Opening(program, done, first, DmcFormat.Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
 
     private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame, bool ownPlunges)
     {
@@ -160,7 +161,7 @@ public static class DmcPost
 /// <param name="Stroke">Rapid, tool on, cut, tool off.</param>
 /// <param name="Closing">End of the job and every subprogram.</param>
 internal sealed record PostTemplate(
-    Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing)
+    Func<int, StrokeTerms?, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing)
 {
     /// <summary>Upper bound of the number of lines of a stroke, determined without writing it.</summary>
     public required Func<MotionStroke, int> MaxLines { get; init; }

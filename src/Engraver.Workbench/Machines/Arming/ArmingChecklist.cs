@@ -43,7 +43,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckTerminology speech, ArmingCheck? certificate) => new(
     [
         .. OfDrawing(job, errorsAccepted, speech),
-        .. Values(job, status),
+        .. Values(job),
         .. certificate is null ? Array.Empty<ArmingCheck>() : [certificate with { Message = speech.ApplyTerminology(certificate.Message) }],
         .. OfMachine(status, now, speech),
         UnlessStale(status, now, Origin(job, placement, speech)),
@@ -60,9 +60,9 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         foreach (var refused in job.RunRefusals) yield return Check(false, refused.Message.TrimEnd('.'));
     }
 
-    private static IEnumerable<ArmingCheck> Values(PreparedJob job, MachineStatus status)
+    private static IEnumerable<ArmingCheck> Values(PreparedJob job)
     {
-        if (job.Sections.Any(section => section.Tool.Number != job.Sections[0].Tool.Number) && status.LastOutcome?.IsSectionEnd() != true) yield return Note(Wording.Get("ArmingChecklist.FirstTool", job.Sections[0].Tool.Title));
+        if (job.Sections is { Count: > 1 } sections && sections.Any(section => section.Tool.Number != sections[0].Tool.Number)) yield return Note(Wording.Get("ArmingChecklist.Tools", string.Join(", ", sections.Where(section => section.Repeat is null).Select(section => section.Tool.Title))));
         if (job.Plate is { } plate) yield return Note(Wording.Get("ArmingChecklist.Plate", plate.Number, plate));
     }
 

@@ -40,9 +40,10 @@ public sealed class JobPlacement
         ArgumentNullException.ThrowIfNull(program);
         var place = await machine.ReadPositionAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
         lease.CompareZero(place);
-        var found = WorkPlacement.Find(lease.Memory, place, origin, program.Profile, program.Start);
-        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, lease.Memory, place, following?.Here);
-        if (found.Frame is not null && following is not null) found = WorkPlacement.Followed(found, origin, following, program.Profile, dryRun, lease.Memory, place);
+        var memory = origin is OriginRequest.NamedOrigin && lease.IsPersistent ? lease.Memory.WithoutAssumed() : lease.Memory; // a fixture of a real machine was set by the operator
+        var found = WorkPlacement.Find(memory, place, origin, program.Profile, program.Start);
+        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, memory, place, following?.Here);
+        if (found.Frame is not null && following is not null) found = WorkPlacement.Followed(found, origin, following, program.Profile, dryRun, memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(lease, found, program);
         if (found.Source == OriginSource.Work) await ConfirmZeroAsync(machine, lease, place, memory => Used(memory, origin, found, program.Profile), time, cancellation).ConfigureAwait(false);
         return new JobPlacement(lease, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = lease.Memory.IsTravelKnown(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), UnknownMotorTypes = UnknownMotorTypesOf(program.Profile.Axes, place) };
