@@ -193,7 +193,7 @@ internal sealed class RunVerb
     }
 
     /// <summary>Waits until the operator has put in the first tool of a plate, where the plate before ended with another.</summary>
-    /// <returns>False: nobody is asked, or there is no input, and the series ends before this plate.</returns>
+    /// <returns>False: the run does not ask, or there is no input, and the series ends before this plate.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
     private async Task<bool> HasFirstToolAsync(ParseResult parsed, PreparedJob job, Plate plate, CancellationToken stop)
     {

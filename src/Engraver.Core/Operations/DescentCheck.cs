@@ -34,8 +34,8 @@ internal sealed class DescentCheck(Operation operation, double tolerance)
         return IsSteep(ramp, before, level, contour[0].Segment.Start) || ramp.Any(move => IsBeside(move.Segment.Start, contour) || IsBeside(move.Segment.PointAt(0.5), contour) || IsBeside(move.Segment.End, contour));
     }
 
-    /// <summary>True when the stroke begins with whole turns on a circle of at most the stated radius, from the depth before, whose end is the start of the next
-    /// move, at the depth of the pass like everything behind it.</summary>
+    /// <summary>True when the stroke begins with whole turns on a circle of at most the stated radius, from the depth before, whose end is the start of the
+    /// next move, at the depth of the pass like everything behind it.</summary>
     private bool IsHelix(ToolpathStroke stroke, double radius, double before, double level)
     {
         var helix = stroke.Moves.TakeWhile(move => move.Role == StrokeRole.Ramp).ToList();

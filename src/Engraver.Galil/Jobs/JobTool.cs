@@ -69,8 +69,8 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>The job has a spindle that turns.</summary>
     public bool HasSpindle => !dryRun && machine.Profile.Spindle is not null;
 
-    /// <summary>Switches the spindle, and waits until it has its speed; off with the outputs of operations. A dry run leaves it off. Where programs in the controller run the job it is
-    /// switched on only by <see cref="TurnForProgramAsync"/>.</summary>
+    /// <summary>Switches the spindle, and waits until it has its speed; off with the outputs of operations. A dry run leaves it off. Where programs in the
+    /// controller run the job it is switched on only by <see cref="TurnForProgramAsync"/>.</summary>
     public ValueTask TurnAsync(bool on) => on && machine.Phase.TurnsForPrograms ? ValueTask.CompletedTask : SwitchSpindleAsync(on);
 
     /// <summary>In a hold the spindle alone stops: outputs of operations stay as they are.</summary>

@@ -106,7 +106,7 @@ public sealed class ToolChangeRunTests : IDisposable
         Assert.DoesNotContain("OPR0030", first.Error + stopped.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>A plate ends with tool 3: nothing of the next one moves before tool 1 is in the machine again.</summary>
+    /// <summary>A plate ends with tool 3: the next one begins when tool 1 is in the machine again.</summary>
     [Fact]
     public async Task Every_plate_of_a_series_begins_with_its_first_tool()
     {

@@ -210,7 +210,8 @@ public class ProfileDressingTests
         }
     }
 
-    /// <summary>The tool descends on a circle that touches the start, by whole turns and never more steeply than stated, and is then at the depth of the pass.</summary>
+    /// <summary>The tool descends on a circle that touches the start, by whole turns and never more steeply than stated, and is then at the depth of the
+    /// pass.</summary>
     [Theory]
     [InlineData("profile", "CUT", "\"direction\": \"climb\", \"tabs\": {\"count\": 2, \"width\": 2, \"height\": 1}, \"leadIn\": {\"shape\": \"arc\", \"radius\": 2},")]
     [InlineData("profile", "CUT", "\"direction\": \"conventional\", \"side\": \"outside\",")]

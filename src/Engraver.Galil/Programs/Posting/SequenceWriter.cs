@@ -18,8 +18,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     /// <param name="check">Statement before each test, or empty.</param>
     public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(DmcFormat.Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
 
-    /// <summary>Outputs of the operation, rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not burn a spot
-    /// meanwhile.</summary>
+    /// <summary>Outputs of the operation, rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not
+    /// burn a spot meanwhile.</summary>
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
         var lines = new ProgramLines().Line(spelling.Ready(stroke.Terms)).Line(spelling.Rapid(frame.Of(stroke.Start)));
@@ -27,8 +27,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
         return lines.Line([Wait(stroke.Terms?.DwellSeconds ?? 0.0), .. spelling.ToolOff]).Lines;
     }
 
-    /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, one that sets outputs, and in a sequence
-    /// longer than the buffer a wait before each line.</summary>
+    /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, one that sets
+    /// outputs, and in a sequence longer than the buffer a wait before each line.</summary>
     public static int MaxLines(MotionStroke stroke)
     {
         var lines = stroke.Terms is { SetsOutputs: true } ? 3 : 2;
