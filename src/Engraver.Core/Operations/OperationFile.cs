@@ -14,6 +14,9 @@ public static class OperationFile
     /// <summary>The depth follows from the width of each line.</summary>
     internal const string LineWidth = "lineWidth";
 
+    /// <summary>The field of the outputs of an operation.</summary>
+    public const string OutputsField = "outputs";
+
     private const string CountField = "count";
     private const string PlacesField = "at";
     private const string ZigzagField = "zigzag";
@@ -45,7 +48,7 @@ public static class OperationFile
 
     private static readonly string[] s_operationFields =
     [
-        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", RepeatsField, StopField, "outputs", "direction", "order",
+        "id", "name", "on", "kind", "select", "tool", "feed", "plunge", "spindle", "power", "startDepth", "depth", "depthPerPass", "finish", "stock", RepeatsField, StopField, OutputsField, "direction", "order",
         "leadIn", "leadOut", "overcut", "ramp", "start", "tabs", "side", "dashes", "hatches", "spacing", "pattern", "cross", "inset", "overscan", "stepover", ZigzagField, "angle", "peck", "maxDiameter", "dwell", "pierce",
     ];
 
@@ -233,7 +236,7 @@ public static class OperationFile
             Stock = of.Number("stock", 0.0, 1e3, includesLowest: true) ?? 0.0,
             Repeats = of.Whole(RepeatsField, 1, 1000) ?? 1,
             StopsBetween = of.Switch(StopField, false),
-            Outputs = of.Texts("outputs", name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
+            Outputs = of.Texts(OutputsField, name => name.Length > 0, Wording.Get("OperationFile.NotEmpty")),
             Direction = of.Choice<CutDirection>("direction") ?? CutDirection.Any,
             Order = of.Choice<PassOrder>("order") ?? PassOrder.Contour,
             Side = of.Choice<ProfileSide>("side") ?? ProfileSide.Nesting,

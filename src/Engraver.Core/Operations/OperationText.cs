@@ -67,7 +67,7 @@ internal static class OperationText
         WriteNumber(writer, "stock", operation.Stock == 0.0 ? null : operation.Stock);
         WriteNumber(writer, "repeats", operation.Repeats == 1 ? null : operation.Repeats);
         if (operation.StopsBetween) writer.WriteBoolean("stopBetween", true);
-        Write(writer, "outputs", operation.Outputs);
+        Write(writer, OperationFile.OutputsField, operation.Outputs);
         if (operation.Direction != CutDirection.Any) writer.WriteString("direction", OperationFields.WordOf(operation.Direction));
         if (operation.Order != PassOrder.Contour) writer.WriteString("order", OperationFields.WordOf(operation.Order));
         if (operation.Kind == OperationKind.Profile) writer.WriteString("side", OperationFields.WordOf(operation.Side));

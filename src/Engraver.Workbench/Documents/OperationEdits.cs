@@ -40,14 +40,14 @@ public static class OperationEdits
     }
 
     /// <summary>Sets a field of an operation.</summary>
-    /// <param name="value">As in the file; a text needs no quotes. Empty removes the field.</param>
+    /// <param name="value">As in the file; a text needs no quotes, and outputs may be separated by commas. Empty removes the field.</param>
     /// <exception cref="SettingException">The value is not valid.</exception>
     public static OperationPlan Changed(OperationPlan plan, string id, string field, string value)
     {
         var file = FileOf(plan);
         var operation = Find(file, id);
         if (value.Length == 0) operation.Remove(field);
-        else operation[field] = NodeOf(value);
+        else operation[field] = NodeOf(value) switch { JsonValue when field == OperationFile.OutputsField => new JsonArray([.. value.Split(',').Select(name => (JsonNode)name.Trim())]), var node => node };
         return Read(file);
     }
 

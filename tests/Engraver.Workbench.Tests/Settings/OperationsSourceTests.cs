@@ -1,3 +1,4 @@
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Settings;
@@ -17,6 +18,17 @@ public sealed class OperationsSourceTests : IDisposable
         File.WriteAllText(PathOf("engrave"), Text("file"));
         Assert.Equal("file", OperationsSource.Load(PathOf("engrave")).Operations[0].Id);
         Assert.Contains(PathOf("other"), Assert.Throws<SettingException>(() => OperationsSource.Load(PathOf("other"))).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("air, coolant", "air coolant")]
+    [InlineData("5", "5")]
+    [InlineData("[\"air\", \"6\"]", "air 6")]
+    public void Outputs_are_typed_as_a_list(string typed, string outputs)
+    {
+        File.WriteAllText(PathOf("a.json"), Text("o1"));
+
+        Assert.Equal(outputs, string.Join(' ', OperationEdits.Changed(OperationsSource.Load(PathOf("a.json")), "o1", "outputs", typed).Operations[0].Outputs));
     }
 
     private string PathOf(string name) => Path.Combine(_folder.FullName, name);
