@@ -11,8 +11,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Cli.Options;
 
 /// <summary>The options of a run of several plates: <c>--csv</c>, <c>--rows</c>, <c>--copies</c>, <c>--grid</c>, <c>--pitch</c>, <c>--stagger</c>,
-/// <c>--fixtures</c>,
-/// <c>--first-cell</c>, <c>--counter</c>.</summary>
+/// <c>--fixtures</c>, <c>--first-cell</c>, <c>--counter</c>.</summary>
 internal sealed class SeriesOptions
 {
     private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE.csv", Description = Wording.Get("Series.Csv") };

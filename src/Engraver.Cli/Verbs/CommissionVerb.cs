@@ -80,7 +80,7 @@ internal sealed class CommissionVerb
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
         try
         {
-            return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false); // A console read cannot be cancelled: the operator's stop does not wait for it.
+            return await _host.ReadLineAsync(stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {

@@ -172,7 +172,7 @@ internal sealed class RunVerb
                 if (index > plan.First) _following = null; // all are inside: this was checked before the first
                 remaining = index > plan.First ? plan.InterruptedText(index, null) : null;
                 using var turn = plan.Turn(index);
-                var (machine, errors) = await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
+                var (machine, errors) = await RunPlateOfSeriesAsync(parsed, drawing, settings, strategy, turn, remaining, stop).ConfigureAwait(false);
                 await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false); // the line of a plate is read before the next blank is placed
                 code = Math.Max(code, errors);
                 if (machine == ExitCode.Done && !_isAtSectionEnd && !_needsOtherTool) continue;
@@ -192,6 +192,20 @@ internal sealed class RunVerb
         }
     }
 
+    /// <param name="remaining">What to do where it is stopped before it has started; null for the first plate.</param>
+    private async Task<(int Machine, int Findings)> RunPlateOfSeriesAsync(ParseResult parsed, Drawing drawing, DrawingSettings settings, ExecutionStrategy strategy, PlateTurn turn, string? remaining, CancellationToken stop)
+    {
+        try
+        {
+            return await RunPlateAsync(parsed, drawing, settings, strategy, turn, stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (_startedJournal is null && remaining is not null)
+        {
+            await _host.Error.WriteLineAsync(remaining).ConfigureAwait(false);
+            throw;
+        }
+    }
+
     /// <summary>Waits until the operator has put in the first tool of a plate, where the plate before ended with another.</summary>
     /// <returns>False: the run does not ask, or there is no input, and the series ends before this plate.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped.</exception>
@@ -200,7 +214,7 @@ internal sealed class RunVerb
         if (_lastTool is not { } last || parsed.GetValue(_dryRun) || job.Sections is not [{ Tool: var first }, ..] || first.Number == last) return true;
         if (!AsksAtBreaks(parsed)) return false;
         await _host.Error.WriteLineAsync(Wording.Get(job.Settings.Machine.Axes.Z is null ? "Series.FirstToolFlat" : "Series.FirstTool", plate.Number, first.Title)).ConfigureAwait(false);
-        return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
+        return await _host.ReadLineAsync(stop).ConfigureAwait(false) is not null;
     }
 
     /// <summary>Whether the run asks at a change of the tool and at a stop, or ends there.</summary>
@@ -352,7 +366,7 @@ internal sealed class RunVerb
         if ((refused?.ResumeRefusal ?? refused?.Placement?.Refusal) is { } why) _host.Report(parsed, job.Drawing.FileName, [why]);
         else if (refused is not null) await _host.Error.WriteLineAsync($"engraver: {refused.Result.Message}").ConfigureAwait(false);
         await _host.Error.WriteLineAsync(BreakText("Run.ChangeTool", "Run.ChangeToolFlat", "Run.CheckWork", job, ended)).ConfigureAwait(false);
-        return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null; // A console read cannot be cancelled: the operator's stop does not wait for it.
+        return await _host.ReadLineAsync(stop).ConfigureAwait(false) is not null;
     }
 
     /// <summary>What the operator does between two sections.</summary>

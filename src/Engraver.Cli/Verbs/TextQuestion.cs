@@ -13,7 +13,7 @@ internal static class TextQuestion
         if (!host.Interactive || UncutTexts.Count(drawing, settings) is not (> 0 and var texts)) return false;
         await host.Error.WriteAsync(Wording.Count("Run.EngraveTexts", texts) + " ").ConfigureAwait(false);
         await host.Error.FlushAsync(stop).ConfigureAwait(false);
-        var answer = await Task.Run(host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false); // A console read cannot be cancelled: the operator's stop does not wait for it.
+        var answer = await host.ReadLineAsync(stop).ConfigureAwait(false);
         return answer?.Trim() is { Length: > 0 } typed && Wording.Get("Run.Yes").StartsWith(typed, StringComparison.OrdinalIgnoreCase);
     }
 }

@@ -21,6 +21,11 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Con
 
     public TextReader In => streams.In;
 
+    /// <summary>The next line that the operator types; null at the end of the input. A console read cannot be cancelled: the operator's stop does not wait for
+    /// it.</summary>
+    /// <exception cref="OperationCanceledException">The operator stopped.</exception>
+    public Task<string?> ReadLineAsync(CancellationToken stop) => Task.Run(In.ReadLine, stop).WaitAsync(stop);
+
     /// <summary>For a verb that connects to a machine and disconnects during its run; others are a <see cref="MachineCommand"/>.</summary>
     public ConnectionGuard Machine => machine;
 

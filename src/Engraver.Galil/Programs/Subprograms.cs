@@ -84,12 +84,12 @@ internal static class Subprograms
         .. profile.AnalogAxis is { } axis ? (string[])[$"OF{axis}=0"] : [],
     ];
 
+    /// <summary><see cref="RestOffCommands"/> as one statement of a line; empty where there is nothing to switch off.</summary>
+    public static string RestOff(MachineProfile profile) => string.Join(';', RestOffCommands(profile));
+
     /// <summary>The outputs that a program switches by SB or CB, each once.</summary>
     public static IEnumerable<int> SwitchedIn(string program) =>
         program.Split('\n', ';').Select(statement => statement.Trim()).Where(statement => statement.Length == 3 && statement[..2] is "SB" or "CB" && statement[2] is >= '1' and <= '8').Select(statement => statement[2] - '0').Distinct();
-
-    /// <summary>The same as one statement of a line; empty where there is nothing to switch off.</summary>
-    public static string RestOff(MachineProfile profile) => string.Join(';', RestOffCommands(profile));
 
     /// <summary>Sets the outputs and the analog output for a stroke, before the machine moves to it; empty where its operation states none.</summary>
     public static IReadOnlyList<string> Outputs(MachineProfile profile, StrokeTerms? terms) => terms is not { SetsOutputs: true } ? [] :

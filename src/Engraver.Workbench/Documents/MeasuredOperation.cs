@@ -16,6 +16,10 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Depths">Deepest place of each pass below the top of the work; null for a pass of which nothing was cut. Empty without heights.</param>
 public sealed record MeasuredOperation(string Id, string Name, string Kind, int Tool, double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths)
 {
+    /// <summary>The name, or the id where it has none.</summary>
+    [JsonIgnore]
+    public string Title => Name.Length > 0 ? Name : Id;
+
     /// <summary>Number of cutting samples with outputs other than those of the operation; null for none.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public long? OutputFaults { get; init; }

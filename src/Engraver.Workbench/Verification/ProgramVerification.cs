@@ -46,8 +46,8 @@ public static class ProgramVerification
     /// <summary>Passes and repeats that the program leaves out, without which the whole drawing can be cut, and outputs that it does not switch.</summary>
     private static List<Diagnostic> FaultsOf(IReadOnlyList<MeasuredOperation> operations) =>
     [
-        .. operations.Where(operation => operation.Depths.Contains(null)).Select(operation => OperationRules.PassNotCut.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.Depths.Count(depth => depth is null)))),
-        .. operations.Where(operation => operation.OutputFaults is not null).Select(operation => OperationRules.OtherOutputs.At(default, operation.Name.Length > 0 ? operation.Name : operation.Id, FactText.Of(operation.OutputFaults!.Value))),
+        .. operations.Where(operation => operation.Depths.Contains(null)).Select(operation => OperationRules.PassNotCut.At(default, operation.Title, FactText.Of(operation.Depths.Count(depth => depth is null)))),
+        .. operations.Where(operation => operation.OutputFaults is not null).Select(operation => OperationRules.OtherOutputs.At(default, operation.Title, FactText.Of(operation.OutputFaults!.Value))),
     ];
 
     /// <summary>The controller may deviate from the program by its path control: both distances are added. Without a bound they are unknown.</summary>

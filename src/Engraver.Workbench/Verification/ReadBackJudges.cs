@@ -78,12 +78,10 @@ internal sealed class ReadBackJudges
     private Diagnostic? PaceFinding(CountsPoint start, CancellationToken cancellation)
     {
         if (_pace is null) return null;
-        var continuous = ContinuousJob(cancellation).Motion.Program;
+        var continuous = JobPreparation.PrepareUnlessCancelled(_job.Drawing, _job.Settings, MotionStyle.Continuous, cancellation).Motion.Program;
         IReadOnlyList<IReadOnlyList<ScheduledMove>> ways = [.. new[] { _posted.FittedProgram, continuous, _job.Motion.Program }.OfType<MotionProgram>().Select(program => JobPlan.Pace(program, start, _pace.Parts))];
         return ways.Count == 0 ? null : _pace.Finding(ways);
     }
-
-    private PreparedJob ContinuousJob(CancellationToken cancellation) => JobPreparation.PrepareUnlessCancelled(_job.Drawing, _job.Settings, MotionStyle.Continuous, cancellation);
 
     private bool IsLevel()
     {

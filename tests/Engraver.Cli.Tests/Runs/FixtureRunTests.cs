@@ -31,7 +31,7 @@ public sealed class FixtureRunTests : IDisposable
         await OriginsAsync(address, ("G55", "100,0"), ("G57", "0,200"), ("G54", "-50,-50"));
         string[] run = ["run", Drawing(), "--cut", "text", "--fixtures", "g57,G55", "--grid", "2x1", "--pitch", "20,0", "--connect", address];
 
-        var stopped = await InPlateThreeAsync(run);
+        var stopped = await InterruptedSeries.InPlateThreeAsync("Plate 3: ", stop => stop.Cancel(), run);
         Assert.True(stopped.ExitCode == ExitCode.StoppedByOperator, stopped.Error);
         Assert.Contains("Plate 3 of 4: copy=3 in G55", stopped.Error, StringComparison.Ordinal);
         var journal = Regex.Match(stopped.Error, @"--resume (\S+\.jsonl)").Groups[1].Value;
@@ -129,27 +129,4 @@ public sealed class FixtureRunTests : IDisposable
     /// <summary>The lower left corners of the outlines that were cut, in counts, in the order of cutting, each once.</summary>
     private static IEnumerable<(int X, int Y)> Cells(SimulatedController controller) =>
         controller.Record.Snapshot().Where(row => (row.Outputs & Tool) != 0).Select(row => ((int)Math.Floor(row.A / 20_000.0) * 20_000, (int)Math.Floor(row.B / 100_000.0) * 100_000)).Distinct();
-
-    /// <summary>Stops the run some reports after the start of the third plate.</summary>
-    private static async Task<CliRun> InPlateThreeAsync(string[] args)
-    {
-        using var output = new MemoryStream();
-        await using var error = new StringWriter();
-        using var stop = new CancellationTokenSource();
-        var reports = 0;
-        int code;
-        using (var streams = new ConsoleStreams(output, error, new StringReader(""))
-        {
-            Keys = () =>
-            {
-                if (error.ToString().Contains("Plate 3: ", StringComparison.Ordinal) && ++reports == 20) stop.Cancel();
-                return null;
-            },
-        })
-        {
-            code = await EngraverProgram.RunAsync(args, streams, stop.Token);
-        }
-
-        return new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
-    }
 }

@@ -22,7 +22,7 @@ public sealed class PlacedSeriesTests : IDisposable
     {
         string[] job = ["run", Drawing(), "--cut", "text", "--operations", _folder.WithFile("plate.operations.json", Operations), "--machine", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"), "--place", "corner", "--move", "2,2", "--copies", "5", "--grid", "2x1", "--pitch", "20,0", "--stagger", "0,3", "--connect", "sim:", "--json"];
         string[] back = ["--blank", "50,30", "--back", "y"];
-        var stopped = await InPlateThreeAsync([.. job, .. back]);
+        var stopped = await InterruptedSeries.InPlateThreeAsync("for plate 3", stop => stop.Cancel(), [.. job, .. back]);
         Assert.True(stopped.ExitCode == ExitCode.StoppedByOperator, stopped.Error);
         Assert.Equal(["complete", "complete", "stopped"], Plates(stopped).Select(Outcome));
         var journal = Plates(stopped)[2].GetProperty("journal").GetString()!;
@@ -90,27 +90,4 @@ public sealed class PlacedSeriesTests : IDisposable
     private string Drawing() => _folder.WithFile("plate.dxf", Encoding.UTF8.GetString(DxfText.WithEntities(
         (0, "LWPOLYLINE"), (8, "0"), (90, 4), (70, 1), (10, 0.0), (20, 0.0), (10, 15.0), (20, 0.0), (10, 15.0), (20, 6.0), (10, 0.0), (20, 6.0),
         (0, "TEXT"), (8, "TEXT"), (10, 2.0), (20, 2.0), (40, 2.0), (1, "[[n placed:00]] [[copy]]")).ToAscii()));
-
-    /// <summary>Stops the run some reports after the start of the third plate.</summary>
-    private static async Task<CliRun> InPlateThreeAsync(string[] args)
-    {
-        using var output = new MemoryStream();
-        await using var error = new StringWriter();
-        using var stop = new CancellationTokenSource();
-        var reports = 0;
-        int code;
-        using (var streams = new ConsoleStreams(output, error, new StringReader("\n\n\n\n"))
-        {
-            Keys = () =>
-            {
-                if (error.ToString().Contains("for plate 3", StringComparison.Ordinal) && ++reports == 20) stop.Cancel();
-                return null;
-            },
-        })
-        {
-            code = await EngraverProgram.RunAsync(args, streams, stop.Token);
-        }
-
-        return new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
-    }
 }

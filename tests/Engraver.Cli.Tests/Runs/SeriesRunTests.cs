@@ -426,45 +426,5 @@ public sealed class SeriesRunTests : IDisposable
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
     }
 
-    /// <summary>Interrupts the run some reports after the start of the third plate.</summary>
-    private static async Task<CliRun> InPlateThreeAsync(Action<CancellationTokenSource> interrupt, string[] args)
-    {
-        using var output = new MemoryStream();
-        await using var error = new StringWriter();
-        using var stop = new CancellationTokenSource();
-        var reports = 0;
-        int code;
-        using (var streams = new ConsoleStreams(output, error, new StringReader("\n\n\n\n"))
-        {
-            Keys = () =>
-            {
-                if (error.ToString().Contains("for plate 3", StringComparison.Ordinal) && ++reports == 20) interrupt(stop);
-                return null;
-            },
-        })
-        {
-            code = await EngraverProgram.RunAsync(args, streams, stop.Token);
-        }
-
-        return new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
-    }
-
-    /// <summary>Ctrl-C instead of Enter: the line never arrives.</summary>
-    private sealed class StoppingReader(CancellationTokenSource stop) : TextReader
-    {
-        private readonly ManualResetEventSlim _closed = new();
-
-        public override string? ReadLine()
-        {
-            stop.Cancel();
-            _closed.Wait();
-            return null;
-        }
-
-        protected override void Dispose(bool disposing)
-        {
-            _closed.Set();
-            base.Dispose(disposing);
-        }
-    }
+    private static Task<CliRun> InPlateThreeAsync(Action<CancellationTokenSource> interrupt, string[] args) => InterruptedSeries.InPlateThreeAsync("for plate 3", interrupt, args);
 }

@@ -125,6 +125,13 @@ public sealed class ToolChangeRunTests : IDisposable
         Assert.Equal((ExitCode.Done, "toolChange"), (ended.ExitCode, JsonText.Of(ended).GetProperty("outcome").GetString()));
         Assert.Equal("complete", Assert.Single(JsonText.Of(ended).GetProperty("plates").EnumerateArray()).GetProperty("outcome").GetString());
         Assert.Contains("--first-cell 2", ended.Error, StringComparison.Ordinal);
+
+        using var stop = new CancellationTokenSource();
+        using var input = new StoppingReader(stop, answers: 1);
+        var stopped = await CliRun.Typing(input, stop.Token, run);
+        Assert.Equal(ExitCode.StoppedByOperator, stopped.ExitCode);
+        Assert.Contains("Plate 2 begins with tool Engraver (1)", stopped.Error, StringComparison.Ordinal);
+        Assert.Contains("--first-cell 2", stopped.Error, StringComparison.Ordinal);
     }
 
     /// <summary>The second plate has no text: it begins with the drill, which is still in the machine, and the third with the engraver again.</summary>

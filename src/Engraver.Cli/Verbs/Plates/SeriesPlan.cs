@@ -152,7 +152,7 @@ internal sealed class SeriesPlan
         host.Error.WriteLine(Wording.Get("Series.PlaceBlank", index + 1, Series.Count, _plates[index - First]));
         try
         {
-            if (await Task.Run(host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false) is not null) return true; // A console read cannot be cancelled: the operator's stop does not wait for it.
+            if (await host.ReadLineAsync(stop).ConfigureAwait(false) is not null) return true;
         }
         catch (OperationCanceledException)
         {

@@ -28,7 +28,7 @@ internal static class RunVerdict
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
             return Deviated(result, Wording.Get("RunVerdict.NotCut", NumberText.Rounded(missing, 4)), judgement.MissingAt);
         if (judgement.Operations.FirstOrDefault(operation => operation.OutputFaults is not null) is { } wrong)
-            return Deviated(result, Wording.Get("RunVerdict.WrongOutputs", wrong.Name.Length > 0 ? wrong.Name : wrong.Id, wrong.OutputFaults), null);
+            return Deviated(result, Wording.Get("RunVerdict.WrongOutputs", wrong.Title, wrong.OutputFaults), null);
         return result;
     }
 

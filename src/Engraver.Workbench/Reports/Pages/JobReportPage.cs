@@ -189,7 +189,7 @@ public static class JobReportPage
     /// <param name="operations">Null where nothing was measured.</param>
     /// <param name="key">Before the id of an operation in the keys of the rows.</param>
     private static IEnumerable<PagePair> Measured(IReadOnlyList<MeasuredOperation>? operations, string key) => (operations ?? []).Select(one => new PagePair(
-        Wording.Get("JobReport.Operation", one.Name.Length > 0 ? one.Name : one.Id),
+        Wording.Get("JobReport.Operation", one.Title),
         Wording.Get("JobReport.OperationMeasured", one.MaxDeviation, one.MissingLength, one.ExtraLength, one.Feed is { } feed ? NumberText.Rounded(feed, 1) : "–", one.Depths.Count == 0 ? "–" : string.Join(", ", one.Depths.Select(depth => depth is { } deep ? NumberText.Rounded(deep, 3) : "–"))),
         $"{key}.{one.Id}.measured"));
 
