@@ -77,7 +77,7 @@ public sealed class SectionBreakModel : ObservableObject
         Continue.RaiseCanExecuteChanged();
     }
 
-    /// <summary>A second click while the first one is at work does nothing: it would continue behind the next section.</summary>
+    /// <summary>A second click while the first one is at work does nothing: it would continue after the next section.</summary>
     private void ContinueNow()
     {
         if (Reason is null) _ = _desk.Queue.RunAsync("CNCCONTINUE", "Yes");

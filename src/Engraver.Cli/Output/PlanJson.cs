@@ -58,7 +58,7 @@ internal sealed record PlanJson(
     /// <param name="Seconds">Without the change of the tool; null when the machine cannot cut the drawing.</param>
     internal sealed record PlanSectionJson(int Number, int Tool, IReadOnlyList<string> Operations, int Strokes, double? Seconds)
     {
-        /// <summary>The repeat of the first operation with which it begins behind a stop, from 2; not written behind a change of the tool.</summary>
+        /// <summary>The repeat of the first operation with which it begins after a stop, from 2; not written after a change of the tool.</summary>
         [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
         public int? Repeat { get; init; }
 

@@ -13,7 +13,7 @@ namespace Engraver.Cli.Output;
 /// <param name="MissingLength">Of the strokes of the section, mm; null when unknown.</param>
 internal sealed record SectionJson(int Number, int Tool, IReadOnlyList<string> Operations, string Outcome, string? Journal, double Seconds, double PlannedSeconds, double? MaxDeviation, double? MissingLength)
 {
-    /// <summary>The repeat of the first operation with which it begins behind a stop, from 2; not written behind a change of the tool.</summary>
+    /// <summary>The repeat of the first operation with which it begins after a stop, from 2; not written after a change of the tool.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public int? Repeat { get; init; }
 

@@ -177,7 +177,7 @@ public sealed class MachineRuns
         _status.RaiseChanged();
     }
 
-    /// <summary>What is left behind a change of the tool or a stop.</summary>
+    /// <summary>What is left after a change of the tool or a stop.</summary>
     private static JobPart RestOf(PreparedJob job, MachineRunOptions options, MachineRunReport ended, SectionBreak at) =>
         new(new ResumeRequest { Journal = options.JournalPath }, ended.Result.Place, options.Strategy, job.DocumentDrawing, job.Settings) { Plate = job.Plate, Break = at };
 

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>The motions at feed while a beam is off: a fill with overscan requires one before and one behind each line, in its direction and at its feed; every
+/// <summary>The motions at feed while a beam is off: a fill with overscan requires one before and one after each line, in its direction and at its feed; every
 /// other is required to be a rapid.</summary>
 internal sealed class GcodeOverscan(RequirementsJudge? terms, StrokeRequirements? strokes)
 {

@@ -50,7 +50,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, RequirementsJudge? t
     /// <summary>The next section of the job begins with another tool.</summary>
     public bool IsChangeNext => strokes is { } required && _section + 1 < required.Stops.Count && !required.Stops[_section + 1];
 
-    /// <summary>The next section of the job begins behind a stop at which the tool remains.</summary>
+    /// <summary>The next section of the job begins after a stop at which the tool remains.</summary>
     private bool IsStopNext => strokes is { } required && _section + 1 < required.Stops.Count && required.Stops[_section + 1];
 
     /// <summary>The codes of a line, in their order.</summary>

@@ -3,7 +3,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCCONTINUE: Continues a job behind a change of the tool or a stop between repeats: asks, passes the checks of CNCARM and runs the rest.</summary>
+/// <summary>CNCCONTINUE: Continues a job after a change of the tool or a stop between repeats: asks, passes the checks of CNCARM and runs the rest.</summary>
 internal sealed class CncContinueCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCCONTINUE", CommandGroup.Machine) { StartsMotion = true };

@@ -25,7 +25,7 @@ public sealed record SectionBreak(JobSection Ended, ToolSection Next)
     /// <summary>What follows: the name and the number of the tool, or the repeat and its operation.</summary>
     public string NextText => Next.Repeat is { } repeat ? Wording.Get("SectionBreak.Repeat", repeat, Next.Operations[0].Repeats, Next.Operations[0].Title) : Next.Tool.Title;
 
-    /// <summary>The break behind a run; null for a run that did not end at one.</summary>
+    /// <summary>The break after a run; null for a run that did not end at one.</summary>
     /// <param name="job">The whole job.</param>
     public static SectionBreak? Of(PreparedJob job, MachineRunReport ended)
     {

@@ -48,7 +48,7 @@ public static class SectionedRun
         }
     }
 
-    /// <summary>The options of the section behind the end of another one. The present position is no longer the drawing's zero.</summary>
+    /// <summary>The options of the section after the end of another one. The present position is no longer the drawing's zero.</summary>
     private static MachineRunOptions After(MachineRunOptions options, MachineRunReport ended, CountsScale scale, int run) => options with
     {
         JournalPath = JournalFolder.OfSection(options.JournalPath, run),
