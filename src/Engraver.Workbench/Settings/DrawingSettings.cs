@@ -37,6 +37,9 @@ public sealed record DrawingSettings
     /// <summary>Maximum distance of a chord from its curve, mm.</summary>
     public double MaxErrorMm { get; init; } = 0.001;
 
+    /// <summary>Maximum distance from a corner at which an arc rounds it, so that the machine need not stop there, mm; 0: it stops at corners.</summary>
+    public double CornerToleranceMm { get; init; } = 0.01;
+
     /// <summary>Drawing point at which the tool is when the job starts, mm.</summary>
     public Point2D Start { get; init; }
 
