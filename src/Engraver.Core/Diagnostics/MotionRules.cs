@@ -48,11 +48,13 @@ public static class MotionRules
 
     public static readonly DiagnosticRule MemoryTooSmall = new("MOT0025", Severity.Error, "needed", "lines");
 
+    public static readonly DiagnosticRule ProfileFieldIgnored = new("MOT0026", Severity.Warning, "field");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
-        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall,
+        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall, ProfileFieldIgnored,
     ];
 }

@@ -23,8 +23,14 @@ public sealed record MachineProfile
     /// <summary>Acceleration and deceleration of the path and of each axis, counts/s2.</summary>
     public int AccelerationCounts { get; init; } = 256000;
 
-    /// <summary>A path turns without a stop up to this angle between two moves, degrees.</summary>
-    public double SharpCornerDegrees { get; init; } = 10.0;
+    /// <summary>Largest acceleration of the X axis while it cuts, counts/s2; null: <see cref="AccelerationCounts"/> alone bounds it.</summary>
+    public int? AccelerationX { get; init; }
+
+    /// <summary>The same of the Y axis.</summary>
+    public int? AccelerationY { get; init; }
+
+    /// <summary>Acceleration and deceleration of an axis of the job in a rapid, counts/s2.</summary>
+    public int RapidAcceleration(MachineAxis axis) => Math.Min(AccelerationCounts, axis.Letter == Axes.X.Letter ? AccelerationX ?? int.MaxValue : axis.Letter == Axes.Y.Letter ? AccelerationY ?? int.MaxValue : int.MaxValue);
 
     /// <summary>Digital output that switches the tool (1 to 8).</summary>
     public int ToolOutput { get; init; } = 1;

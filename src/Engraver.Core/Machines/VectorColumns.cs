@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 12 for a sequence, 48 for a stroke. Objects are
+/// <summary>The segments and sequences of a motion program as columns: 56 bytes for a line, 24 more for an arc, 16 for a sequence, 56 for a stroke. Objects are
 /// created only while they are read.</summary>
 /// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
 /// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
@@ -16,10 +16,14 @@ public sealed class VectorColumns(int segments)
     public int SegmentCount => _segments.Count;
 
     /// <summary>Appends a sequence; it begins where the last one of its stroke ends.</summary>
-    public void Append(int speed, IReadOnlyList<VectorSegment> cut, bool changesHeight)
+    /// <param name="speed">As <see cref="VectorSequence.Speed"/>.</param>
+    /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
+    /// <param name="cut">At least one.</param>
+    /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
+    public void Append(int speed, int acceleration, IReadOnlyList<VectorSegment> cut, bool changesHeight)
     {
         ArgumentNullException.ThrowIfNull(cut);
-        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, ChangesHeight = changesHeight });
+        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, Acceleration = acceleration, ChangesHeight = changesHeight });
         for (var i = 0; i < cut.Count; i++) Append(cut[i]);
     }
 
@@ -48,15 +52,21 @@ public sealed class VectorColumns(int segments)
     internal VectorSegment Segment(int index)
     {
         var cells = _segments[index];
-        if (cells.Arc == NoArc) return new VectorSegment(VectorSegmentKind.Line, cells.End, 0, 0.0, 0.0, cells.Entity, cells.Length);
+        if (cells.Arc == NoArc) return new VectorSegment(VectorSegmentKind.Line, cells.End, 0, 0.0, 0.0, cells.Entity, cells.Length) { Speed = cells.Speed, Move = cells.Move };
         var arc = _arcs[cells.Arc];
-        return new VectorSegment(VectorSegmentKind.Arc, cells.End, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, cells.Entity, cells.Length);
+        return new VectorSegment(VectorSegmentKind.Arc, cells.End, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, cells.Entity, cells.Length) { Speed = cells.Speed, Move = cells.Move };
     }
 
     internal int FirstSegmentOf(int sequence) => _sequences[sequence].First;
 
     internal VectorSequence Sequence(int sequence, CountsPoint start, int end) =>
-        new(start, _sequences[sequence].Speed, new SequenceSegments(this, _sequences[sequence].First, end)) { ChangesHeight = _sequences[sequence].ChangesHeight };
+        new(start, _sequences[sequence].Speed, new SequenceSegments(this, _sequences[sequence].First, end)) 
+        {
+            ChangesHeight = _sequences[sequence].ChangesHeight,
+            Acceleration = _sequences[sequence].Acceleration,
+        };
+
+    internal int SpeedOf(int segment) => _segments[segment].Speed;
 
     internal double LengthOf(int segment) => _segments[segment].Length;
 
@@ -66,7 +76,7 @@ public sealed class VectorColumns(int segments)
     {
         var arc = segment.Kind == VectorSegmentKind.Line ? NoArc : _arcs.Count;
         if (arc != NoArc) _arcs.Add(new ArcCells { Radius = segment.Radius, ThetaDegrees = segment.ThetaDegrees, DeltaDegrees = segment.DeltaDegrees });
-        _segments.Add(new SegmentCells { End = segment.End, Entity = segment.EntityIndex, Length = segment.Length, Arc = arc });
+        _segments.Add(new SegmentCells { End = segment.End, Entity = segment.EntityIndex, Length = segment.Length, Arc = arc, Speed = segment.Speed, Move = segment.Move });
     }
 
     private struct SegmentCells
@@ -75,6 +85,8 @@ public sealed class VectorColumns(int segments)
         public CountsPoint End;
         public int Entity;
         public int Arc;
+        public int Speed;
+        public int Move;
     }
 
     private struct ArcCells
@@ -98,6 +110,7 @@ public sealed class VectorColumns(int segments)
     {
         public int First;
         public int Speed;
+        public int Acceleration;
         public bool ChangesHeight;
     }
 }
@@ -130,6 +143,20 @@ internal sealed class SequenceSegments(VectorColumns columns, int first, int end
             var length = 0.0;
             for (var i = first; i < end; i++) length += columns.LengthOf(i);
             return length;
+        }
+    }
+
+    /// <summary>A segment has a speed of its own.</summary>
+    public bool HaveOwnSpeeds
+    {
+        get
+        {
+            for (var i = first; i < end; i++)
+            {
+                if (columns.SpeedOf(i) != 0) return true;
+            }
+
+            return false;
         }
     }
 

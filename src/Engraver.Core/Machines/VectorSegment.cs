@@ -11,4 +11,11 @@ namespace Engraver.Core.Machines;
 /// <param name="EntityIndex">The drawing entity of this segment.</param>
 /// <param name="Length">Path length in counts.</param>
 public readonly record struct VectorSegment(
-    VectorSegmentKind Kind, CountsPoint End, int Radius, double ThetaDegrees, double DeltaDegrees, int EntityIndex, double Length);
+    VectorSegmentKind Kind, CountsPoint End, int Radius, double ThetaDegrees, double DeltaDegrees, int EntityIndex, double Length)
+{
+    /// <summary>Vector speed that is commanded from its start, even counts/s (galil-dmc.md B.4: <c>&lt;o</c>); 0: that of its sequence.</summary>
+    public int Speed { get; init; }
+
+    /// <summary>The move of the toolpath's stroke that it cuts; where it cuts several, the first.</summary>
+    public int Move { get; init; }
+}

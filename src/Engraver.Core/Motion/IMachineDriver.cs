@@ -25,9 +25,9 @@ public interface IMachineDriver : IControllerFamily
     string Describe(ExecutionStrategy strategy);
 
     /// <summary>Converts a toolpath in millimetres to a motion program in counts.</summary>
-    /// <param name="maxErrorMm">Maximum distance of chords from an arc that the controller cannot cut, millimetres, above 0.</param>
+    /// <param name="tolerances">How far the motion may be beside the toolpath.</param>
     /// <param name="sourceOf">Position of an entity in the drawing; diagnostics name it.</param>
-    MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style);
+    MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, MotionTolerances tolerances, Func<int, SourceRef>? sourceOf, MotionStyle style);
 
     /// <summary>The program as it will be run over this link: where the link is too slow for its feed it is cut more slowly, and the finding reports
     /// it.</summary>

@@ -28,7 +28,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
     private MotionPeaks Including(VectorSequence sequence, MachineProfile profile)
     {
         var (peakSpeed, peakAcceleration) = this;
-        var kinematics = new SequenceKinematics(sequence, profile.AccelerationCounts, profile.Scale);
+        var kinematics = new SequenceKinematics(SequenceProfile.Of(sequence, profile), profile.Scale);
         var travelled = 0.0;
         var from = sequence.Start;
         Vector2D? before = null;

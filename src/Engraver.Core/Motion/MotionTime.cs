@@ -34,14 +34,14 @@ public static class MotionTime
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var profile = program.Profile;
-        double Seconds(MachineAxis axis, long to, long at) => Sampled(Math.Abs((double)to - at), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands);
+        double Seconds(MachineAxis axis, long to, long at) => Sampled(Math.Abs((double)to - at), commands.RapidSpeed(profile, axis), profile.RapidAcceleration(axis), commands);
         var moving = Math.Max(Seconds(profile.Axes.X, target.X, from.X), Seconds(profile.Axes.Y, target.Y, from.Y));
         return new MotionTimes(0.0, moving, commands.Rapid(from, target, moving, program));
     }
 
     internal static MotionTimes Cut(VectorSequence sequence, MotionProgram program, CommandTimes commands)
     {
-        var moving = Sampled(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts, commands);
+        var moving = Sampled(SequenceProfile.SecondsOf(sequence, program.Profile), commands);
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
@@ -70,5 +70,7 @@ public static class MotionTime
     }
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>
-    private static double Sampled(double distance, double speed, double acceleration, CommandTimes commands) => Math.Ceiling(SpeedTrapezoid.Time(distance, speed, acceleration) / commands.Sample) * commands.Sample;
+    private static double Sampled(double distance, double speed, double acceleration, CommandTimes commands) => Sampled(SpeedTrapezoid.Time(distance, speed, acceleration), commands);
+
+    private static double Sampled(double seconds, CommandTimes commands) => Math.Ceiling(seconds / commands.Sample) * commands.Sample;
 }

@@ -29,7 +29,7 @@ public sealed class MotionTimeline
     public IReadOnlyList<SpeedTrapezoid> RapidOf(in MotionSpan span)
     {
         var (from, to, profile) = (span.From, span.To, Program.Profile);
-        return [.. profile.Axes.All.Take(2).Select((axis, i) => new SpeedTrapezoid(Math.Abs((double)to[i] - from[i]), _commands.RapidSpeed(profile, axis), profile.AccelerationCounts))];
+        return [.. profile.Axes.All.Take(2).Select((axis, i) => new SpeedTrapezoid(Math.Abs((double)to[i] - from[i]), _commands.RapidSpeed(profile, axis), profile.RapidAcceleration(axis)))];
     }
 
     /// <summary>Without gaps, in the order of time; spans without duration are left out.</summary>

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Core.Motion;
 
@@ -31,7 +32,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         ArgumentOutOfRangeException.ThrowIfNegative(leadIn);
         var (stroke, first) = StrokeOf(program, place.Segments);
         if (stroke == program.Strokes.Count) return new RemainingProgram(program with { Strokes = [] }, stroke, 0, first, 0.0);
-        var part = new RemainingStroke(program.Strokes[stroke], keepAngle).From(new JobPosition(place.Segments - first, place.Along), leadIn);
+        var part = new RemainingStroke(program.Strokes[stroke], program.Profile, keepAngle).From(new JobPosition(place.Segments - first, place.Along), leadIn);
         if (part.Stroke is null) return new RemainingProgram(program with { Strokes = [.. program.Strokes.Skip(stroke + 1)] }, stroke + 1, 0, first + SegmentsOf(program.Strokes[stroke]), 0.0);
         return new RemainingProgram(program with { Strokes = [part.Stroke, .. program.Strokes.Skip(stroke + 1)] }, stroke, part.Sequences, first + part.Segments, part.Along);
     }
@@ -53,7 +54,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
     }
 
     /// <summary>Divides one stroke in two on its path.</summary>
-    private sealed class RemainingStroke(MotionStroke stroke, Func<double, double> keepAngle)
+    private sealed class RemainingStroke(MotionStroke stroke, MachineProfile profile, Func<double, double> keepAngle)
     {
         private readonly List<(int Sequence, CountsPoint Start, VectorSegment Segment)> _segments = [.. Flat(stroke)];
 
@@ -162,6 +163,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
                 begin = segments[^1].End;
             }
 
+            sequences[0] = RestartedSequence.Of(sequences[0], profile);
             return stroke with { Start = start, Sequences = sequences };
         }
     }

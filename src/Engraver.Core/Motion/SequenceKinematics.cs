@@ -5,13 +5,11 @@ namespace Engraver.Core.Motion;
 
 /// <summary>Speed and acceleration along one vector sequence, from rest to rest, as the controller runs it (galil-dmc.md B.5). Places are distances along the
 /// sequence in counts; results are in millimetres.</summary>
-/// <param name="acceleration">Along the path, counts/s2; the same for braking.</param>
-public sealed class SequenceKinematics(VectorSequence sequence, double acceleration, CountsScale scale)
+/// <param name="planned">Speed along the path.</param>
+public sealed class SequenceKinematics(SequenceProfile planned, CountsScale scale)
 {
-    private readonly double _length = sequence.Length;
-
     /// <summary>Speed along the path, counts/s.</summary>
-    public double SpeedAt(double path) => Math.Min(sequence.Speed, Math.Sqrt(2.0 * acceleration * Math.Max(0.0, Math.Min(path, _length - path))));
+    public double SpeedAt(double path) => planned.SpeedAt(path);
 
     /// <summary>Velocity of the axes, mm/s.</summary>
     /// <param name="segment">The segment that contains <paramref name="path"/>.</param>
@@ -28,7 +26,7 @@ public sealed class SequenceKinematics(VectorSequence sequence, double accelerat
     public Vector2D AccelerationAt(in VectorSegment segment, CountsPoint from, double fraction, double path, double? rampPlace = null)
     {
         var direction = Direction(segment, from, fraction);
-        return scale.ToMillimetres((direction * Gain(rampPlace ?? path)) + Inwards(segment, direction, SpeedAt(path)));
+        return scale.ToMillimetres((direction * planned.GainAt(rampPlace ?? path)) + Inwards(segment, direction, SpeedAt(path)));
     }
 
     /// <summary>Direction of travel, length 1 in counts; zero for a line without length.</summary>
@@ -43,9 +41,6 @@ public sealed class SequenceKinematics(VectorSequence sequence, double accelerat
         var spoke = Angle.FromDegrees(segment.ThetaDegrees + (fraction * segment.DeltaDegrees));
         return new Vector2D(-spoke.Sin(), spoke.Cos()) * Math.Sign(segment.DeltaDegrees);
     }
-
-    /// <summary>Acceleration along the path: up to speed, at speed, or down to rest.</summary>
-    private double Gain(double path) => SpeedAt(path) >= sequence.Speed ? 0.0 : path <= _length / 2.0 ? acceleration : -acceleration;
 
     /// <summary>Towards the centre of an arc: v2/r.</summary>
     private static Vector2D Inwards(in VectorSegment segment, Vector2D direction, double speed) => segment.Kind == VectorSegmentKind.Line

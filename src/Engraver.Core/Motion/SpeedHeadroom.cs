@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Core.Motion;
 
@@ -9,7 +10,8 @@ public static class SpeedHeadroom
 {
     private const double Step = 0.1;
 
-    /// <summary>The largest factor, in steps of a tenth, at which every limit that the plan keeps is still kept.</summary>
+    /// <summary>The largest factor, in steps of a tenth, at which every limit that the plan keeps is still kept. Where the plan changes its speed on the way
+    /// there is none: a brake would be too short.</summary>
     /// <param name="fastest">The controller's fastest speed along a path, counts/s.</param>
     /// <param name="most">Upper limit of the factor.</param>
     /// <returns>At least 1: the plan itself.</returns>
@@ -17,75 +19,33 @@ public static class SpeedHeadroom
     {
         ArgumentNullException.ThrowIfNull(sequences);
         ArgumentNullException.ThrowIfNull(profile);
-        var headroom = most;
-        foreach (var sequence in sequences)
-        {
-            headroom = Math.Min(Math.Min(headroom, fastest / sequence.Speed), Math.Min(OfArcs(sequence, profile.AccelerationCounts), OfJoints(sequence, profile)));
-            while (headroom > 1.0 && Corners(sequence, profile, headroom) > Corners(sequence, profile, 1.0)) headroom -= Step;
-        }
-
+        var (headroom, limits) = (most, PathLimits.Of(profile));
+        foreach (var sequence in sequences) headroom = Math.Min(headroom, sequence.HasOwnSpeeds ? 1.0 : Math.Min(fastest, FastestOf(sequence, limits, sequence.AccelerationOn(profile))) / sequence.Speed);
         return Math.Max(1.0, Math.Floor((headroom / Step) + 1e-6) * Step);
     }
 
-    /// <summary>Across an arc the acceleration is the square of the speed divided by the radius.</summary>
-    private static double OfArcs(VectorSequence sequence, double acceleration) => sequence.Segments
-        .Where(segment => segment.Kind == VectorSegmentKind.Arc)
-        .Select(segment => Math.Sqrt(acceleration * segment.Radius) / sequence.Speed)
-        .DefaultIfEmpty(double.PositiveInfinity)
-        .Min();
-
-    /// <summary>At a joint the velocity changes by 2 v sin(turn / 2) (galil-dmc.md B.5). The change must not become larger than the plan allows at the sharpest
-    /// turn that it runs without a stop, at the planned speed.</summary>
-    private static double OfJoints(VectorSequence sequence, MachineProfile profile)
+    /// <summary>The highest speed that arcs and joints allow, counts/s.</summary>
+    private static double FastestOf(VectorSequence sequence, PathLimits limits, double acceleration)
     {
-        var sharpest = 0.0;
-        var (start, before) = (sequence.Start, default((double X, double Y, double Z)?));
+        var across = Math.Sqrt(Math.Max(0.0, (limits.OnArcs * limits.OnArcs) - (acceleration * acceleration)));
+        var (fastest, from, before, length) = (double.PositiveInfinity, sequence.Start, default(PathDirection?), 0.0);
         foreach (var segment in sequence.Segments)
         {
-            var (first, last) = Directions(start, segment, profile.Scale.Finer);
-            if (before is { } direction) sharpest = Math.Max(sharpest, HalfTurnSine(direction, first));
-            (before, start) = (last, segment.End);
+            var (first, last) = Directions(from, segment);
+            if (segment.Kind == VectorSegmentKind.Arc) fastest = Math.Min(fastest, Math.Sqrt(across * segment.Radius));
+            if (before is { } direction) fastest = Math.Min(fastest, limits.SpeedThrough(limits.TurnOf(direction, first), Math.Min(length, segment.Length)));
+            (before, from, length) = (last, segment.End, segment.Length);
         }
 
-        return sharpest == 0.0 ? double.PositiveInfinity : Angle.FromDegrees(profile.SharpCornerDegrees / 2.0).Sin() / sharpest;
+        return fastest;
     }
 
-    /// <summary>Directions of length 1 in which a segment begins and ends, in counts; a line may rise or fall.</summary>
-    private static ((double X, double Y, double Z) First, (double X, double Y, double Z) Last) Directions(CountsPoint start, in VectorSegment segment, AxisScale scale)
+    /// <summary>Directions in which a segment begins and ends.</summary>
+    private static (PathDirection First, PathDirection Last) Directions(CountsPoint from, in VectorSegment segment)
     {
-        if (segment.Kind == VectorSegmentKind.Arc && Move(new SegmentPath(start, segment), segment, scale) is var arc)
-            return ((arc.StartTangent.X, arc.StartTangent.Y, 0.0), (arc.EndTangent.X, arc.EndTangent.Y, 0.0));
-        var (x, y, z) = ((double)segment.End.X - start.X, (double)segment.End.Y - start.Y, (double)segment.End.Z - start.Z);
-        var length = Math.Max(1.0, double.Hypot(double.Hypot(x, y), z));
-        return ((x / length, y / length, z / length), (x / length, y / length, z / length));
-    }
-
-    /// <summary>Sine of half the angle between two directions: half the length of their difference.</summary>
-    private static double HalfTurnSine((double X, double Y, double Z) one, (double X, double Y, double Z) other) => double.Hypot(double.Hypot(one.X - other.X, one.Y - other.Y), one.Z - other.Z) / 2.0;
-
-    /// <summary>Number of places at which the path turns too sharply to be run without a stop at this factor of its speed.</summary>
-    private static int Corners(VectorSequence sequence, MachineProfile profile, double factor)
-    {
-        var detector = new CornerDetector(profile, sequence.Speed * factor);
-        var (corners, start) = (0, sequence.Start);
-        foreach (var segment in sequence.Segments)
-        {
-            var course = new SegmentPath(start, segment);
-            var move = Move(course, segment, profile.Scale.Finer);
-            if (detector.IsCornerBefore(move)) corners++;
-            detector.Cut(move);
-            start = segment.End;
-        }
-
-        return corners;
-    }
-
-    private static Segment Move(SegmentPath course, VectorSegment segment, AxisScale scale)
-    {
-        Point2D InMillimetres(Point2D counts) => new(scale.ToMillimetres(counts.X), scale.ToMillimetres(counts.Y));
-        var start = InMillimetres(course.At(0.0));
-        if (segment.Kind == VectorSegmentKind.Line) return Segment.FromLine(start, InMillimetres(course.At(segment.Length)));
-        var (theta, radius) = (Angle.FromDegrees(segment.ThetaDegrees), scale.LengthOf(segment.Radius));
-        return Segment.FromArc(new ArcSegment(start - Vector2D.FromPolar(radius, theta), radius, theta, Angle.FromDegrees(segment.DeltaDegrees)));
+        if (segment.Kind == VectorSegmentKind.Arc) return (PathDirection.Of(SequenceKinematics.Direction(segment, from, 0.0)), PathDirection.Of(SequenceKinematics.Direction(segment, from, 1.0)));
+        var way = segment.End - from;
+        var direction = PathDirection.Of(way.X, way.Y, way.Z);
+        return (direction, direction);
     }
 }

@@ -39,8 +39,8 @@ public sealed class GalilDriver : IMachineDriver
         _ => Wording.Get("Strategy.Program"),
     };
 
-    public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style) =>
-        MotionProgramGenerator.Generate(toolpath, profile, maxErrorMm, sourceOf, style);
+    public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, MotionTolerances tolerances, Func<int, SourceRef>? sourceOf, MotionStyle style) =>
+        MotionProgramGenerator.Generate(toolpath, profile, tolerances, sourceOf, style);
 
     public LinkFeedFit LimitFeedToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => (LineOf(address), JobModes.Of(strategy)) is ({ } line, JobMode.Stream)
         ? LinkFeedFitting.Create(program, line, sourceOf)

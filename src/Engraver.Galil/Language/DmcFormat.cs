@@ -21,16 +21,20 @@ public static class DmcFormat
         _ => throw new ArgumentOutOfRangeException(nameof(segment)),
     };
 
-    /// <summary>The segments of a sequence as commands, in order: VP and CR, or LI if the sequence changes height.</summary>
+    /// <summary>The segments of a sequence as commands, in order: VP and CR, or LI if the sequence changes height; with their speeds.</summary>
     public static IEnumerable<string> Commands(VectorSequence sequence, MachineAxes axes)
     {
-        var from = sequence.Start;
+        var (from, states) = (sequence.Start, sequence.HasOwnSpeeds);
         foreach (var segment in sequence.Segments)
         {
-            yield return sequence.ChangesHeight ? Increment(axes, from, segment.End) : Command(segment, sequence.Start);
+            yield return (sequence.ChangesHeight ? Increment(axes, from, segment.End) : Command(segment, sequence.Start)) + (states ? Speed(sequence.SpeedOf(segment)) : string.Empty);
             from = segment.End;
         }
     }
+
+    /// <summary>The speed that is commanded from the start of a segment. Where one segment of a sequence states it, every one does: a segment without it runs
+    /// at the speed before it or at VS (galil-dmc.md B.1 and B.4 differ).</summary>
+    public static string Speed(int countsPerSecond) => Text($"<{countsPerSecond}");
 
     /// <summary>LI for a line in three axes.</summary>
     public static string Increment(MachineAxes axes, CountsPoint from, CountsPoint to) => "LI " + DmcAxes.Fields(axes, [Difference(from.X, to.X), Difference(from.Y, to.Y), Difference(from.Z, to.Z)]);

@@ -18,6 +18,9 @@ internal static class Subprograms
     /// <summary>Variable: clearance height, the controller's own counts.</summary>
     public const string ClearanceHeight = "zup";
 
+    /// <summary>Speed and acceleration of a call.</summary>
+    private const string Speeds = "VS f;VA va;VD va";
+
     /// <summary>Variable: speed of the tool's axis down to the work.</summary>
     private const string PlungeSpeed = "zf";
 
@@ -52,7 +55,7 @@ internal static class Subprograms
 
     /// <summary>AC and DC of every axis of the job.</summary>
     public static IReadOnlyList<string> AccelerationCommands(MachineProfile profile) =>
-        [.. profile.Axes.All.Select(axis => DmcFormat.Text($"AC{axis.Letter}={profile.AccelerationCounts}")), .. profile.Axes.All.Select(axis => DmcFormat.Text($"DC{axis.Letter}={profile.AccelerationCounts}"))];
+        [.. profile.Axes.All.Select(axis => DmcFormat.Text($"AC{axis.Letter}={profile.RapidAcceleration(axis)}")), .. profile.Axes.All.Select(axis => DmcFormat.Text($"DC{axis.Letter}={profile.RapidAcceleration(axis)}"))];
 
     /// <summary>Switches the output of the tool on; empty if an axis holds the tool.</summary>
     public static string ToolOn(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, !profile.ToolActiveLow) : string.Empty;
@@ -118,7 +121,7 @@ internal static class Subprograms
 
     /// <summary>Cuts a line in three axes to x, y, z relative to the machine's position (galil-dmc.md EX7), and waits for its end.</summary>
     public static IReadOnlyList<string> SlopeLines(MachineProfile profile, string last) =>
-        new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line("VS f").Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+        new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line(Speeds).Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 
     /// <summary>A wait that an operation states; empty for none.</summary>
     public static string Wait(double seconds) => seconds > 0.0 ? DmcFormat.Text($"WT {DmcProfile.EvenMilliseconds(seconds)}") : string.Empty;
@@ -162,5 +165,5 @@ internal static class Subprograms
         .Lines;
 
     private static IReadOnlyList<string> Interpolation(MachineProfile profile, string label, string segment, string last) =>
-        new ProgramLines().Line(label).Line("VM" + profile.Axes.PlaneLetters).Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+        new ProgramLines().Line(label).Line("VM" + profile.Axes.PlaneLetters).Line(Speeds).Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 }

@@ -13,7 +13,7 @@ public static class JobFrame
         ArgumentNullException.ThrowIfNull(job);
         if (job.Motion.Program is null) return null;
         var outline = shape == FrameShape.Hull ? FrameOutline.Hull(job.Toolpath) : FrameOutline.Rectangle(job.Toolpath);
-        var program = MachineFamilies.DriverOf(job.Settings.CuttingMachine).Generate(outline, job.Settings.CuttingMachine, job.Settings.MaxErrorMm, job.Drawing.SourceOf, MotionStyle.Continuous).Program;
+        var program = MachineFamilies.DriverOf(job.Settings.CuttingMachine).Generate(outline, job.Settings.CuttingMachine, job.Settings.MotionTolerances, job.Drawing.SourceOf, MotionStyle.Continuous).Program;
         return program is { SegmentCount: > 0 } ? program : null;
     }
 }

@@ -36,6 +36,9 @@ public sealed class PlannedMotion
     private readonly Lazy<int[]> _segmentOfMove;
     private readonly Lazy<int[]> _segmentOfRow;
 
+    /// <summary>The profile of the last query; replaced as a whole, so that any thread may query.</summary>
+    private volatile SequenceProfileOf? _profile;
+
     private PlannedMotion(MotionTimeline timeline, int[] moves, int[]? rows, Func<IReadOnlyList<int>>? lines)
     {
         _timeline = timeline;
@@ -173,14 +176,14 @@ public sealed class PlannedMotion
             reached += part.Length * SegmentPosition.FractionNear(part, from, at);
         }
 
-        return span.Start + TrapezoidOf(stroke, sequence).TimeAt(reached);
+        return span.Start + ProfileOf(stroke, sequence).SecondsAt(reached);
     }
 
-    /// <summary>The speed profile of one sequence, counts.</summary>
-    internal SpeedTrapezoid TrapezoidOf(int stroke, int sequence)
+    /// <summary>The speed profile of one sequence, counts. That of the last query is kept: the next one is mostly of the same sequence.</summary>
+    internal SequenceProfile ProfileOf(int stroke, int sequence)
     {
-        var cut = _program.Strokes[stroke].Sequences[sequence];
-        return new SpeedTrapezoid(_lengths[FirstSegment(stroke, sequence) + cut.Segments.Count - 1], cut.Speed, _program.Profile.AccelerationCounts);
+        if (_profile is not { } last || last.Stroke != stroke || last.Sequence != sequence) _profile = last = new SequenceProfileOf(stroke, sequence, SequenceProfile.Of(_program.Strokes[stroke].Sequences[sequence], _program.Profile));
+        return last.Profile;
     }
 
     private void NumberSegments()
@@ -249,8 +252,8 @@ public sealed class PlannedMotion
     private PlaybackMoment Cutting(in MotionSpan span, double since)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];
-        var profile = TrapezoidOf(span.Stroke, span.Sequence);
-        var path = profile.DistanceAt(since);
+        var profile = ProfileOf(span.Stroke, span.Sequence);
+        var path = profile.PathAt(since);
         var first = FirstSegment(span.Stroke, span.Sequence);
         var found = Array.BinarySearch(_lengths, first, sequence.Segments.Count, path);
         var (segment, last) = (found >= 0 ? found + 1 : ~found, first + sequence.Segments.Count - 1);
@@ -260,7 +263,7 @@ public sealed class PlannedMotion
         var done = Math.Max(0.0, path - (segment == first ? 0.0 : _lengths[segment - 1]));
         var cut = sequence.Segments[segment - first];
         var place = SegmentPosition.At(cut, from, cut.Length > 0.0 ? done / cut.Length : 1.0);
-        var speed = SegmentPosition.Millimetres(cut, from, done, profile.SpeedAt(since), _program.Profile.Scale);
+        var speed = SegmentPosition.Millimetres(cut, from, done, profile.SpeedAfter(since), _program.Profile.Scale);
         return Moment(span, since, segment, Millimetres(place.X, place.Y), speed);
     }
 
@@ -289,4 +292,6 @@ public sealed class PlannedMotion
         span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, SegmentAt(segment).EntityIndex, MoveOf(segment), RowOf(segment));
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
+
+    private sealed record SequenceProfileOf(int Stroke, int Sequence, SequenceProfile Profile);
 }

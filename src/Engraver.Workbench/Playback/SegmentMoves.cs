@@ -1,18 +1,13 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 
 /// <summary>Maps each segment of the motion program to its toolpath move, and each move to its row of the sequenced table.</summary>
-/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both have
-/// the same order, so one pass over both is sufficient.</remarks>
+/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several
+/// moves.</remarks>
 internal static class SegmentMoves
 {
-    /// <summary>Tolerance between the predicted end of a segment and the end of its move, counts.</summary>
-    private const double Near = 2.0;
-
     /// <summary>For each segment the index of its move in the whole toolpath.</summary>
     /// <param name="path">Source of the program.</param>
     public static int[] Map(MotionProgram program, Toolpath path)
@@ -22,11 +17,10 @@ internal static class SegmentMoves
         var at = 0;
         foreach (var stroke in program.Strokes)
         {
-            var walk = new MoveCursor(path.Strokes[stroke.Index].Moves, program.Profile.Scale);
             for (var part = 0; part < stroke.Sequences.Count; part++)
             {
                 var segments = stroke.Sequences[part].Segments;
-                for (var i = 0; i < segments.Count; i++) moves[at++] = firstMoves[stroke.Index] + walk.Advance(segments[i]);
+                for (var i = 0; i < segments.Count; i++) moves[at++] = firstMoves[stroke.Index] + segments[i].Move;
             }
         }
 
@@ -57,42 +51,5 @@ internal static class SegmentMoves
         var first = new int[path.Strokes.Count];
         for (var stroke = 1; stroke < first.Length; stroke++) first[stroke] = first[stroke - 1] + path.Strokes[stroke - 1].Moves.Count;
         return first;
-    }
-
-    private sealed class MoveCursor
-    {
-        private readonly IReadOnlyList<StrokeMove> _moves;
-        private readonly CountsScale _scale;
-        private int _at;
-        private bool _isDone;
-
-        /// <summary>The cached move at <see cref="_at"/> and its end in counts.</summary>
-        private StrokeMove _move;
-        private Point2D _end;
-
-        public MoveCursor(IReadOnlyList<StrokeMove> moves, CountsScale scale)
-        {
-            (_moves, _scale) = (moves, scale);
-            GoTo(0);
-        }
-
-        public int Advance(in VectorSegment segment)
-        {
-            if (_isDone && _at + 1 < _moves.Count) GoTo(_at + 1);
-            while (_at + 1 < _moves.Count && (_move.EntityIndex != segment.EntityIndex || (!EndsWith(segment) && IsShort()))) GoTo(_at + 1);
-            _isDone = EndsWith(segment);
-            return _at;
-        }
-
-        private void GoTo(int move)
-        {
-            (_at, _move) = (move, _moves[move]);
-            _end = _scale.Exact(_move.Segment.End);
-        }
-
-        /// <summary>True if shorter than a count, so that it may have no segment.</summary>
-        private bool IsShort() => _scale.Finer.CountsOf(_move.Segment.Length) < 1.0;
-
-        private bool EndsWith(in VectorSegment segment) => Math.Abs(_end.X - segment.End.X) <= Near && Math.Abs(_end.Y - segment.End.Y) <= Near;
     }
 }

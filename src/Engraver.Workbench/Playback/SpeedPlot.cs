@@ -11,7 +11,8 @@ public static class SpeedPlot
     {
         ArgumentNullException.ThrowIfNull(motion);
         ArgumentOutOfRangeException.ThrowIfLessThan(maxSamples, 2);
-        var moments = 4L * motion.Timeline.Spans.Count <= maxSamples ? Corners(motion) : Even(motion.DurationSeconds, maxSamples);
+        List<double> corners = [.. Corners(motion).Take(maxSamples + 1)];
+        var moments = corners.Count <= maxSamples ? corners : Even(motion.DurationSeconds, maxSamples);
         var samples = new List<SpeedSample>();
         var (path, last) = (0.0, motion.At(0.0));
         foreach (var seconds in moments)
@@ -33,9 +34,18 @@ public static class SpeedPlot
         {
             yield return span.Start;
             if (span.Kind == MotionSpanKind.Dwell) continue;
-            var profile = span.Kind == MotionSpanKind.Cut ? motion.TrapezoidOf(span.Stroke, span.Sequence) : Longest(motion.Timeline.RapidOf(span));
-            yield return span.Start + profile.RampSeconds;
-            yield return span.Start + profile.Seconds - profile.RampSeconds;
+            if (span.Kind == MotionSpanKind.Cut)
+            {
+                var profile = motion.ProfileOf(span.Stroke, span.Sequence);
+                foreach (var change in profile.Changes.Skip(1).SkipLast(1)) yield return span.Start + profile.SecondsAt(change);
+            }
+            else
+            {
+                var axis = Longest(motion.Timeline.RapidOf(span));
+                yield return span.Start + axis.RampSeconds;
+                yield return span.Start + axis.Seconds - axis.RampSeconds;
+            }
+
             yield return Math.BitDecrement(span.End);
         }
 

@@ -110,10 +110,9 @@ public static class PlannedSeries
         {
             var sequence = SequenceOf(span);
             _load = linkLoad?.Invoke(sequence) is { } load ? load * Percent : double.NaN;
-            var acceleration = _program.Profile.AccelerationCounts;
-            var (profile, kinematics) = (new SpeedTrapezoid(sequence.Length, sequence.Speed, acceleration), new SequenceKinematics(sequence, acceleration, _scale));
-            var ramp = profile.DistanceAt(profile.RampSeconds);
-            var (start, from) = (0.0, sequence.Start);
+            var profile = SequenceProfile.Of(sequence, _program.Profile);
+            var kinematics = new SequenceKinematics(profile, _scale);
+            var (start, from, change) = (0.0, sequence.Start, 0);
             foreach (var segment in sequence.Segments)
             {
                 var parts = Math.Max(1, (int)Math.Ceiling(Math.Abs(segment.DeltaDegrees) / ArcStepDegrees));
@@ -121,11 +120,12 @@ public static class PlannedSeries
                 for (var part = 1; part <= parts; part++)
                 {
                     var end = segment.Length * part / parts;
-                    foreach (var corner in (ReadOnlySpan<double>)[ramp - start, sequence.Length - ramp - start, end])
+                    while (at < end - 1e-9)
                     {
-                        if (corner <= at || corner > end) continue;
-                        AddPiece(span, profile, kinematics, new PieceOfSegment(segment, from, start, at, corner), isRamp: start + at < ramp - 1e-9 || start + at >= sequence.Length - ramp - 1e-9);
-                        at = corner;
+                        while (change < profile.Changes.Count && profile.Changes[change] - start <= at + 1e-9) change++;
+                        var to = change < profile.Changes.Count ? Math.Min(end, profile.Changes[change] - start) : end;
+                        AddPiece(span, profile, kinematics, new PieceOfSegment(segment, from, start, at, to), isRamp: profile.GainAt(start + ((at + to) / 2.0)) != 0.0);
+                        at = to;
                     }
                 }
 
@@ -136,15 +136,15 @@ public static class PlannedSeries
 
         /// <summary>A piece in which the acceleration along the path does not change. In an arc that is cut while the speed changes, that of an axis
         /// is not linear in time, so the piece is divided.</summary>
-        private void AddPiece(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, bool isRamp)
+        private void AddPiece(in MotionSpan span, SequenceProfile profile, SequenceKinematics kinematics, in PieceOfSegment piece, bool isRamp)
         {
             var (start, inside) = (piece.SegmentStart, piece.SegmentStart + ((piece.At + piece.End) / 2.0));
             AddSample(span, profile, kinematics, piece, piece.At, inside);
-            var (at, from, to) = (piece.At, profile.TimeAt(start + piece.At), profile.TimeAt(start + piece.End));
+            var (at, from, to) = (piece.At, profile.SecondsAt(start + piece.At), profile.SecondsAt(start + piece.End));
             var parts = isRamp && piece.Segment.Kind == VectorSegmentKind.Arc ? PartsOfArcInRamp : 1;
             for (var part = 1; part <= parts; part++)
             {
-                var end = part == parts ? piece.End : Math.Clamp(profile.DistanceAt(from + ((to - from) * part / parts)) - start, at, piece.End);
+                var end = part == parts ? piece.End : Math.Clamp(profile.PathAt(from + ((to - from) * part / parts)) - start, at, piece.End);
                 _path += _scale.ToMillimetres(SequenceKinematics.Direction(piece.Segment, piece.From, (at + end) / 2.0 / piece.Segment.Length) * (end - at)).Length;
                 AddSample(span, profile, kinematics, piece, end, inside);
                 at = end;
@@ -153,10 +153,10 @@ public static class PlannedSeries
 
         /// <param name="at">Place on the segment, counts from its start.</param>
         /// <param name="inside">A place of the sequence inside the piece, where the acceleration along the path is taken: at its ends it changes.</param>
-        private void AddSample(in MotionSpan span, SpeedTrapezoid profile, SequenceKinematics kinematics, in PieceOfSegment piece, double at, double inside)
+        private void AddSample(in MotionSpan span, SequenceProfile profile, SequenceKinematics kinematics, in PieceOfSegment piece, double at, double inside)
         {
             var (path, fraction) = (piece.SegmentStart + at, at / piece.Segment.Length);
-            var seconds = Math.Min(span.Start + profile.TimeAt(path), span.End);
+            var seconds = Math.Min(span.Start + profile.SecondsAt(path), span.End);
             var speed = kinematics.VelocityAt(piece.Segment, piece.From, fraction, path).Length;
             var acceleration = kinematics.AccelerationAt(piece.Segment, piece.From, fraction, path, inside);
             samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityIndex, speed * SecondsPerMinute, acceleration.X, acceleration.Y, _load));

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Operations;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
@@ -39,6 +40,9 @@ public sealed record DrawingSettings
 
     /// <summary>Maximum distance from a corner at which an arc rounds it, so that the machine need not stop there, mm; 0: it stops at corners.</summary>
     public double CornerToleranceMm { get; init; } = 0.01;
+
+    /// <summary>How far the motion may be beside the toolpath.</summary>
+    public MotionTolerances MotionTolerances => new(MaxErrorMm, CornerToleranceMm);
 
     /// <summary>Drawing point at which the tool is when the job starts, mm.</summary>
     public Point2D Start { get; init; }

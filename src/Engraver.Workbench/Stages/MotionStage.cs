@@ -13,7 +13,7 @@ internal sealed class MotionStage() : JobStage<PathJob, MotionJob>("Motion", sha
 
     protected override MotionJob Execute(PathJob job, CancellationToken cancellation)
     {
-        var motion = MachineFamilies.DriverOf(job.Settings.CuttingMachine).Generate(job.Toolpath, job.Settings.CuttingMachine, job.Settings.MaxErrorMm, job.Drawing.SourceOf, job.Style);
+        var motion = MachineFamilies.DriverOf(job.Settings.CuttingMachine).Generate(job.Toolpath, job.Settings.CuttingMachine, job.Settings.MotionTolerances, job.Drawing.SourceOf, job.Style);
         return new MotionJob(job, motion.Program is { } program ? motion with { Program = program with { Finish = FinishOf(program, job.Settings) } } : motion);
     }
 

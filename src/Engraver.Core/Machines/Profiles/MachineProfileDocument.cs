@@ -27,6 +27,12 @@ internal sealed class MachineProfileDocument
 
     public int? AccelerationCounts { get; set; }
 
+    public int? AccelerationX { get; set; }
+
+    public int? AccelerationY { get; set; }
+
+    /// <summary>Of earlier versions; has no effect.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public double? SharpCornerDegrees { get; set; }
 
     public double? FollowingErrorMm { get; set; }
@@ -67,7 +73,8 @@ internal sealed class MachineProfileDocument
         FeedMmPerMinute = profile.FeedMmPerMinute,
         RapidMmPerMinute = profile.RapidMmPerMinute,
         AccelerationCounts = profile.AccelerationCounts,
-        SharpCornerDegrees = profile.SharpCornerDegrees,
+        AccelerationX = profile.AccelerationX,
+        AccelerationY = profile.AccelerationY,
         FollowingErrorMm = profile.FollowingErrorMm,
         ToolOutput = profile.ToolOutput,
         ToolSettleSeconds = profile.ToolSettleSeconds,
@@ -114,7 +121,8 @@ internal sealed class MachineProfileDocument
         FeedMmPerMinute = FeedMmPerMinute ?? profile.FeedMmPerMinute,
         RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,
         AccelerationCounts = AccelerationCounts ?? profile.AccelerationCounts,
-        SharpCornerDegrees = SharpCornerDegrees ?? profile.SharpCornerDegrees,
+        AccelerationX = AccelerationX ?? profile.AccelerationX,
+        AccelerationY = AccelerationY ?? profile.AccelerationY,
         FollowingErrorMm = FollowingErrorMm ?? profile.FollowingErrorMm,
         ToolOutput = ToolOutput ?? profile.ToolOutput,
         ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,

@@ -52,8 +52,10 @@ public static class MachineProfileFile
         IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.AnyValue"), field.Needs)), .. MachineProfileValidation.Check(profile, controller?.Limits ?? limits)];
         if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", Wording.Get("MachineProfileFile.AnyValue"), Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
-        return findings.Count == 0 ? new MachineProfileReadResult(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReadResult(null, findings);
+        return findings.Count == 0 ? new MachineProfileReadResult(profile, [.. ProfileContradictions.Find(profile), .. Ignored(document)]) : new MachineProfileReadResult(null, findings);
     }
+
+    private static IEnumerable<Diagnostic> Ignored(MachineProfileDocument document) => document.SharpCornerDegrees is null ? [] : [MotionRules.ProfileFieldIgnored.At(default, "sharpCornerDegrees")];
 
     /// <summary>The names that are allowed in a field; null where any name is allowed: the numbers of inputs and outputs, and inside a field that is itself
     /// reported as unknown or without a value.</summary>

@@ -40,7 +40,11 @@ public static class MachineProfileValidation
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
-        if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
+        foreach (var (field, acceleration) in new[] { ("accelerationX", p.AccelerationX), ("accelerationY", p.AccelerationY) })
+        {
+            if (acceleration is { } counts && !IsAcceleration(counts, limits)) yield return Finding(field, counts, Accelerations(limits));
+        }
+
         if (p.FollowingErrorMm is not (null or (> 0.0 and <= LargestFollowingErrorMm))) yield return Finding("followingErrorMm", p.FollowingErrorMm.Value, Wording.Get("MachineProfileValidation.LengthUpTo", LargestFollowingErrorMm));
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));

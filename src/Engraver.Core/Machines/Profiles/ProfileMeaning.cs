@@ -30,7 +30,7 @@ public static class ProfileMeaning
         var (feed, acceleration) = (profile.FeedMmPerMinute / 60.0, profile.Scale.Finer.LengthOf(profile.AccelerationCounts));
         yield return Wording.Get("ProfileMeaning.Feed", profile.FeedMmPerMinute, feed, profile.RapidMmPerMinute, profile.JogMmPerMinute);
         yield return Wording.Get("ProfileMeaning.FollowingError", profile.FollowingErrorAt(feed), profile.FollowingErrorAt(profile.FastestMmPerSecond));
-        yield return Wording.Get("ProfileMeaning.Acceleration", acceleration, feed / acceleration, feed * feed / acceleration / 2.0, profile.SharpCornerDegrees);
+        yield return Wording.Get("ProfileMeaning.Acceleration", acceleration, feed / acceleration, feed * feed / acceleration / 2.0);
     }
 
     private static IEnumerable<string> Tool(MachineProfile profile)

@@ -32,7 +32,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         machine.Speed.LimitBy([sequence], hostFeeds: false);
         foreach (var segment in sequence.Segments)
         {
-            await CallAsync(segment, start, sequence.Speed).ConfigureAwait(false);
+            await CallAsync(segment, start, sequence.SpeedOf(segment), sequence.AccelerationOn(machine.Profile)).ConfigureAwait(false);
             start = segment.End;
         }
     }
@@ -44,7 +44,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
 
     private ValueTask AwaitDoneAsync() => machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0);
 
-    private async ValueTask CallAsync(VectorSegment planned, CountsPoint start, int speed)
+    private async ValueTask CallAsync(VectorSegment planned, CountsPoint start, int speed, int acceleration)
     {
         var here = machine.Here with { Z = start.Z }; // the tool is brought to this height before the call
         var segment = SegmentFromPosition.Adapt(planned, start, here, _quantum);
@@ -54,10 +54,10 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
             return;
         }
 
-        var arguments = ResidentServer.Arguments(segment, here, speed);
+        var arguments = ResidentServer.Arguments(segment, here, speed, acceleration);
         var where = Wording.Get("Execution.DrawingEntity", segment.EntityIndex);
         await machine.Commands.SendAsync(arguments, where).ConfigureAwait(false);
-        await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed)).ConfigureAwait(false);
+        await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed, acceleration)).ConfigureAwait(false);
         await machine.Hold.ToolOnAsync(start).ConfigureAwait(false);
         var (calls, before) = (machine.State.Calls, ledger.Executed);
         await machine.OpenAsync(before, [0, 1], calls).ConfigureAwait(false);
@@ -66,12 +66,12 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         {
             SegmentsDone = state => before + (state.Calls != calls && state.StopCode == StopCodes.SequenceEnded ? 1 : 0),
             Expected = state => state.SequenceRunning ? watch.Check(0, machine.Here) : null,
-            Speed = state => state.Calls == calls ? PlannedSpeed.Of(speed) : null,
+            Speed = state => state.Calls == calls ? PlannedSpeed.Of(speed, acceleration) : null,
         }))
         {
             await machine.Commands.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false);
             ledger.Sent++;
-            await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false);
+            await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, acceleration)).ConfigureAwait(false);
         }
 
         await CheckAsync(segment, watch).ConfigureAwait(false);

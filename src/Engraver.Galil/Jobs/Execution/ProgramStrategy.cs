@@ -133,7 +133,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         using var cutting = machine.Enter(machine.Phase with
         {
             Expected = machine.Line is null ? state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Check(state.Counter, machine.Here) : null : null,
-            Speed = _sequences.Count > 0 ? PlannedSpeeds() : null,
+            Speed = _sequences.Count > 0 ? SpeedOfPoll() : null,
             Place = state => progress.PlaceAt(state.Calls),
         });
         await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
@@ -142,11 +142,18 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
 
     /// <summary>Over a network the speed belongs to seq, which is read with it; on a serial line seq is read earlier, and the speed may be that of any
     /// sequence of the chunk.</summary>
-    private Func<JobPoll, PlannedSpeed?> PlannedSpeeds()
+    private Func<JobPoll, PlannedSpeed?> SpeedOfPoll()
     {
-        if (machine.Line is null) return state => IsCutting(state) && state.Calls / 2 < _sequences.Count ? PlannedSpeed.Of(_sequences[state.Calls / 2].Speed) : null;
-        var any = new PlannedSpeed(_sequences.Min(sequence => sequence.Speed), _sequences.Max(sequence => sequence.Speed));
-        return _ => any;
+        var any = PlannedSpeed.Anywhere(_sequences, program.Profile);
+        if (machine.Line is not null) return _ => any;
+        var (at, planned) = (-1, default(PlannedSpeeds));
+        return state =>
+        {
+            var sequence = state.Calls / 2;
+            if (!IsCutting(state) || sequence >= _sequences.Count) return null;
+            if (sequence != at) (at, planned) = (sequence, new PlannedSpeeds(_sequences[sequence], program.Profile));
+            return planned!.At(state.Counter);
+        };
     }
 
     /// <summary>The controller is at this sequence: the override is limited to what it allows, and what those allow that may come before the next
@@ -159,14 +166,14 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         for (var i = sequence; i < _sequences.Count && (i == sequence || seconds < SecondsAhead); i++)
         {
             ahead.Add(_sequences[i]);
-            if (i > sequence) seconds += SpeedTrapezoid.Time(_sequences[i].Length, _sequences[i].Speed * JobControl.FeedRange.Max, program.Profile.AccelerationCounts);
+            if (i > sequence) seconds += SequenceProfile.SecondsOf(_sequences[i], program.Profile);
         }
 
         machine.Speed.LimitBy(ahead, hostFeeds: false);
     }
 
     /// <summary>Shortest time of the chunk, seconds: the motion of its sequences, without rapids and settle times.</summary>
-    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SpeedTrapezoid.Time(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
+    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SequenceProfile.SecondsOf(sequence, program.Profile));
 
     /// <summary>True while a sequence is being cut, which has an odd mark.</summary>
     private static bool IsCutting(JobPoll state) => state.SequenceRunning && state.Calls % 2 != 0;

@@ -74,22 +74,22 @@ internal static class ResidentServer
     }
 
     /// <summary>Arguments of one call; a line is relative to the machine's position.</summary>
-    public static string Arguments(in VectorSegment segment, CountsPoint here, int speed) => IsSlope(segment, here)
-        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Z}={(long)segment.End.Z - here.Z};{Variables.Feed}={speed};{Variables.Operation}={Operations.Slope}")
+    public static string Arguments(in VectorSegment segment, CountsPoint here, int speed, int acceleration) => IsSlope(segment, here)
+        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Z}={(long)segment.End.Z - here.Z};{Variables.Feed}={speed};{Variables.Acceleration}={acceleration};{Variables.Operation}={Operations.Slope}")
         : segment.Kind == VectorSegmentKind.Line
-        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
-        : DmcFormat.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
+        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Acceleration}={acceleration};{Variables.Operation}={Operations.Line}")
+        : DmcFormat.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Acceleration}={acceleration};{Variables.Operation}={Operations.Arc}");
 
     private static bool IsSlope(in VectorSegment segment, CountsPoint here) => segment.End.Z != here.Z;
 
     /// <summary>The variables that <see cref="Arguments"/> sets, with the values to be read back.</summary>
-    public static IReadOnlyList<(string Operand, double Value, double Step)> Held(in VectorSegment segment, CountsPoint here, int speed)
+    public static IReadOnlyList<(string Operand, double Value, double Step)> Held(in VectorSegment segment, CountsPoint here, int speed, int acceleration)
     {
         const double Exact = SettingCheck.Exact;
         if (IsSlope(segment, here))
-            return [(Variables.X, (double)segment.End.X - here.X, Exact), (Variables.Y, (double)segment.End.Y - here.Y, Exact), (Variables.Z, (double)segment.End.Z - here.Z, Exact), (Variables.Feed, speed, Exact), (Variables.Operation, Operations.Slope, Exact)];
+            return [(Variables.X, (double)segment.End.X - here.X, Exact), (Variables.Y, (double)segment.End.Y - here.Y, Exact), (Variables.Z, (double)segment.End.Z - here.Z, Exact), (Variables.Feed, speed, Exact), (Variables.Acceleration, acceleration, Exact), (Variables.Operation, Operations.Slope, Exact)];
         return segment.Kind == VectorSegmentKind.Line
-            ? [(Variables.X, (double)segment.End.X - here.X, Exact), (Variables.Y, (double)segment.End.Y - here.Y, Exact), (Variables.Feed, speed, Exact), (Variables.Operation, Operations.Line, Exact)]
-            : [(Variables.Radius, segment.Radius, Exact), (Variables.Theta, segment.ThetaDegrees, Exact), (Variables.Delta, segment.DeltaDegrees, Exact), (Variables.Feed, speed, Exact), (Variables.Operation, Operations.Arc, Exact)];
+            ? [(Variables.X, (double)segment.End.X - here.X, Exact), (Variables.Y, (double)segment.End.Y - here.Y, Exact), (Variables.Feed, speed, Exact), (Variables.Acceleration, acceleration, Exact), (Variables.Operation, Operations.Line, Exact)]
+            : [(Variables.Radius, segment.Radius, Exact), (Variables.Theta, segment.ThetaDegrees, Exact), (Variables.Delta, segment.DeltaDegrees, Exact), (Variables.Feed, speed, Exact), (Variables.Acceleration, acceleration, Exact), (Variables.Operation, Operations.Arc, Exact)];
     }
 }

@@ -18,6 +18,7 @@ namespace Engraver.Galil.Jobs.Execution;
 /// sqrt((L + A/2)^2 - L^2) counts is not noticed, where L is the length of its segments and A the allowed difference of the path length: 62 counts for 100
 /// segments of 60. A vertex farther off is.
 /// </remarks>
+/// <param name="sequence">The rest of it after its <paramref name="first"/> segments begins at rest.</param>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
     /// <summary>Free places in the buffer that are not used: one command may be in transit, and the controller's count is as old as the last poll.</summary>
@@ -45,7 +46,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private const double LengthPerSegment = 0.5;
 
     private readonly FeedPace _pace = FeedPace.From(machine.Line);
-    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Speed.Override) * sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
+    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Speed.Override) * sequence.Speed / sequence.AccelerationOn(machine.Profile), FeedPace.From(machine.Line).ReactionSeconds);
     private long _begunAt;
     private int _capacity;
     private int _sent;
@@ -53,9 +54,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private int _sentAtWatch;
     private int _bytesSinceWatch;
     private int _skipped;
-    private double _countsAhead;
+    /// <summary>Duration of the buffered segments at their planned speeds.</summary>
+    private double _secondsAhead;
+    private double[] _durations = [];
+    private double _seconds;
     private bool _begun;
     private bool _byIncrements;
+    private bool _statesSpeeds;
     private CountsPoint _origin;
     private PathWatch? _watch;
 
@@ -63,10 +68,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     public int Next => first + _skipped + _executed;
 
     /// <summary>Duration of the buffered motion at the speed that the operator requests.</summary>
-    private double SecondsAhead => _countsAhead / (sequence.Speed * machine.Speed.Override);
+    private double SecondsAhead => _secondsAhead / machine.Speed.Override;
 
     /// <summary>Seconds until the end of the path, by the trapezoid of the whole path and the time since its beginning.</summary>
-    private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
+    private double SecondsLeft => _seconds - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 
@@ -108,7 +113,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         for (; _executed < Math.Min(counter, _sent); _executed++)
         {
             var segment = sequence.Segments[first + _skipped + _executed];
-            _countsAhead -= segment.Length;
+            _secondsAhead -= _durations[_executed];
             ledger.Confirm(segment);
         }
     }
@@ -134,13 +139,30 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return;
         var ahead = Ahead;
+        Measure(ahead);
         _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreLeading(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
-        var acceleration = machine.Profile.AccelerationCounts;
+        var acceleration = sequence.AccelerationOn(machine.Profile);
         await machine.Commands.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
         await SettingCheck.ReadBackAsync(
             machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false);
         await machine.Speed.SendRatioAsync().ConfigureAwait(false);
         _capacity = (int)await machine.Commands.AskAsync("_LMS").ConfigureAwait(false);
+    }
+
+    /// <summary>Computes the planned time of each segment.</summary>
+    private void Measure(IReadOnlyList<VectorSegment> ahead)
+    {
+        _statesSpeeds = sequence.HasOwnSpeeds;
+        var (planned, path, seconds) = (SequenceProfile.Of(sequence with { Segments = ahead }, machine.Profile), 0.0, 0.0);
+        _durations = new double[ahead.Count];
+        for (var i = 0; i < ahead.Count; i++)
+        {
+            path += ahead[i].Length;
+            var end = planned.SecondsAt(path);
+            (_durations[i], seconds) = (end - seconds, end);
+        }
+
+        _seconds = planned.Seconds;
     }
 
     /// <summary>The segments that are cut here, from the machine's present position.</summary>
@@ -157,6 +179,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         var segment = sequence.Segments[first + _skipped + _sent];
         var from = _sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End;
         var command = sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
+        if (_statesSpeeds) command += DmcFormat.Speed(sequence.SpeedOf(segment));
         while (true)
         {
             while (_begun && _capacity - (_sent - _executed) < SpareSegments)
@@ -174,7 +197,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         _sent++;
         _bytesSinceWatch += command.Length + FrameBytes;
         ledger.Sent++;
-        _countsAhead += segment.Length;
+        _secondsAhead += _durations[_sent - 1];
     }
 
     /// <summary>Brings the tool to the work, and enters the phase in which the sequence is cut.</summary>
@@ -185,12 +208,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         var before = ledger.Executed - _executed;
         await machine.OpenAsync(before, [0, sequence.Segments.Count - first - _skipped], machine.State.Calls).ConfigureAwait(false);
         var watch = _watch = machine.WatchPath(_origin, Ahead, sequence.Speed);
+        var planned = new PlannedSpeeds(sequence with { Segments = Ahead }, machine.Profile);
         (_begun, _begunAt) = (true, machine.Time.GetTimestamp());
         return machine.Enter(machine.Phase with
         {
             SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent)),
             Expected = state => state.SequenceRunning ? watch.Check(state.Counter, machine.Here) : null,
-            Speed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed), // at standstill when it runs dry
+            Speed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : planned.At(state.Counter), // at standstill when it runs dry
             WillMove = state => state.Counter < _sent,
             Throttle = () => _throttle.Now,
         });

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Galil.Jobs.Execution;
 
@@ -18,7 +19,7 @@ internal sealed class StreamStrategy(JobMachine machine, JobLedger ledger) : ISe
         machine.Speed.LimitBy([sequence], hostFeeds: true);
         while (next < sequence.Segments.Count)
         {
-            _feed = new SequenceFeed(machine, ledger, sequence, next);
+            _feed = new SequenceFeed(machine, ledger, next == 0 ? sequence : RestartedSequence.After(sequence, next, machine.Profile), next);
             await _feed.RunAsync().ConfigureAwait(false);
             next = _feed.Next;
         }

@@ -37,7 +37,7 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     {
         var begun = _talk.Now;
         _talk.Poll(sequence.Start);
-        if (program.Style == MotionStyle.Calls) Call(sequence, moving);
+        if (program.Style == MotionStyle.Calls) Call(sequence, moving, sequence.AccelerationOn(program.Profile));
         else Stream(sequence, moving, program.Profile);
         _talk.StopCode = StopCodes.SequenceEnded;
         return _talk.Now - begun - moving;
@@ -80,9 +80,9 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     }
 
     /// <summary>The server works for a short time before and after the motion; its end is seen by a whole poll, which contains <c>seq</c>.</summary>
-    private void Call(VectorSequence sequence, double moving)
+    private void Call(VectorSequence sequence, double moving, int acceleration)
     {
-        SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed), ResidentServer.GoCommand);
+        SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed, acceleration), ResidentServer.GoCommand);
         var end = _talk.Heard + SecondsPerCall + moving;
         _talk.Moves(end, sequence.Speed);
         PollUntil(sequence.End, end, moving);
@@ -92,7 +92,7 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     /// <summary>The buffer is filled before the machine starts; what does not fit, and then VE, is sent while it moves.</summary>
     private void Stream(VectorSequence sequence, double moving, MachineProfile profile)
     {
-        var acceleration = profile.AccelerationCounts;
+        var acceleration = sequence.AccelerationOn(profile);
         SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}"), "VR 1");
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;

@@ -28,6 +28,9 @@ internal sealed class FeedWatch(JobMachine machine)
     private double _ratio;
     private int _calls;
     private bool _isFollowing;
+
+    /// <summary>Half of the planned acceleration, counts/s2.</summary>
+    private double _ramp;
     private (double Seconds, double Speed) _last;
     private (double Seconds, double Speed) _window;
     private double? _slowSince;
@@ -47,7 +50,7 @@ internal sealed class FeedWatch(JobMachine machine)
     private bool IsForeign(in JobPoll state, double seconds, PlannedSpeed planned, double ratio)
     {
         if (!_isFollowing || state.Calls != _calls) Begin(state, seconds, planned.Highest * ratio, ratio);
-        Follow(seconds, planned.Highest * ratio, ratio);
+        Follow(seconds, planned, ratio);
         var isFast = IsFast(state.PathSpeed, seconds);
         var isSlow = IsSlow(state.PathSpeed, seconds, planned.Lowest * ratio);
         _last = (seconds, state.PathSpeed);
@@ -61,10 +64,12 @@ internal sealed class FeedWatch(JobMachine machine)
     }
 
     /// <summary>A ratio that was sent since the last poll may not act yet.</summary>
-    private void Follow(double seconds, double target, double ratio)
+    private void Follow(double seconds, PlannedSpeed planned, double ratio)
     {
+        var target = planned.Highest * ratio;
+        _ramp = planned.LowestAcceleration / 2.0;
         if (target >= _ceiling) _ceiling = target;
-        else if (ratio == _ratio) _ceiling = Math.Max(target, _ceiling - (machine.Profile.AccelerationCounts * (seconds - _last.Seconds) / 2.0));
+        else if (ratio == _ratio) _ceiling = Math.Max(target, _ceiling - (_ramp * (seconds - _last.Seconds)));
         if (ratio != _ratio) _slowSince = null;
         _ratio = ratio;
     }
@@ -89,6 +94,6 @@ internal sealed class FeedWatch(JobMachine machine)
         if (passed < RampWindowSeconds) return false;
         var change = Math.Abs(speed - _window.Speed);
         _window = (seconds, speed);
-        return change >= machine.Profile.AccelerationCounts * passed / 2.0;
+        return change >= _ramp * passed;
     }
 }

@@ -27,13 +27,13 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<JobEnd> FeedChangedAsync()
     {
-        var (planned, ratio, acceleration) = (machine.Phase.Speed!(machine.State)!.Value, machine.Speed.Ratio, machine.Profile.AccelerationCounts);
+        var (planned, ratio) = (machine.Phase.Speed!(machine.State)!.Value, machine.Speed.Ratio);
         (string Operand, double Lowest, double Highest, double Step)[] set =
         [
-            ("_VSS", planned.Lowest, planned.Highest, SettingCheck.Speed),
+            ("_VSS", planned.LowestSetting, planned.HighestSetting, SettingCheck.Speed),
             ("_VRS", ratio, ratio, SettingCheck.Exact),
-            ("_VAS", acceleration, acceleration, SettingCheck.Acceleration),
-            ("_VDS", acceleration, acceleration, SettingCheck.Acceleration),
+            ("_VAS", planned.LowestAcceleration, planned.HighestAcceleration, SettingCheck.Acceleration),
+            ("_VDS", planned.LowestAcceleration, planned.HighestAcceleration, SettingCheck.Acceleration),
         ];
         var values = await machine.Commands.AskAllAsync(string.Join(',', set.Select(one => one.Operand + Decimals))).ConfigureAwait(false);
         machine.Watch.Feed.SetByOthers = [.. set.Zip(values).Where(pair => pair.Second < pair.First.Lowest - pair.First.Step || pair.Second > pair.First.Highest + pair.First.Step).Select(pair => pair.First.Operand)];

@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
@@ -19,13 +20,15 @@ public static class MotionProgramGenerator
     /// <summary>Generates the program for one machine.</summary>
     /// <param name="toolpath">Strokes in order, millimetres.</param>
     /// <param name="profile">The machine; a setting outside the controller's limits is an error.</param>
-    /// <param name="maxErrorMm">Largest distance of chords from an arc that CR cannot cut, millimetres, above 0.</param>
+    /// <param name="tolerances">How far the motion may be beside the toolpath.</param>
     /// <param name="sourceOf">Position of an entity in the drawing's file, for diagnostics.</param>
     /// <param name="style">How the segments are grouped into sequences.</param>
     public static MotionGeneration Generate(
-        Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style = MotionStyle.Continuous)
+        Toolpath toolpath, MachineProfile profile, MotionTolerances tolerances, Func<int, SourceRef>? sourceOf, MotionStyle style = MotionStyle.Continuous)
     {
+        var maxErrorMm = tolerances.MaxErrorMm;
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
+        ArgumentOutOfRangeException.ThrowIfNegative(tolerances.CornerMm);
         var findings = new List<Diagnostic>(MachineProfileValidation.Check(profile, DmcLimits.Machine));
         if (findings.Count > 0) return new MotionGeneration(null, findings);
         if (!IsCountable(toolpath.ToolStart, profile.Scale)) findings.Add(MotionRules.ToolStartUnusable.At(default, FactText.Of(toolpath.ToolStart.X), FactText.Of(toolpath.ToolStart.Y)));
@@ -55,7 +58,7 @@ public static class MotionProgramGenerator
             var terms = TermsOf(stroke, profile, volts);
             volts = terms?.Volts;
             var speeds = (stroke.FeedMmPerMinute ?? profile.FeedMmPerMinute, stroke.PlungeMmPerMinute ?? profile.Height?.PlungeMmPerMinute);
-            if (!generators.TryGetValue(speeds, out var generator)) generators[speeds] = generator = new StrokeGenerator(WithSpeeds(profile, speeds), maxErrorMm, style, columns);
+            if (!generators.TryGetValue(speeds, out var generator)) generators[speeds] = generator = new StrokeGenerator(WithSpeeds(profile, speeds), tolerances, style, columns);
             foreach (var lift in HeightFindings.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift, terms);
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }

@@ -1,27 +1,32 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Motion.Planning;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Collects the segments of consecutive strokes into sequences and tracks the controller's predicted position after each.</summary>
-/// <param name="wantedSpeed">VS in plan, unless a sequence needs a lower one.</param>
-/// <param name="slope">Speed of lines that rise or fall.</param>
+/// <summary>Collects the segments of consecutive strokes into sequences, plans their speeds, and tracks the controller's predicted position after
+/// each.</summary>
+/// <param name="planner">For the limits of the machine.</param>
+/// <param name="arcs">Computes the two arcs of a divided one.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
 /// <param name="columns">Columns of the whole program; the sequences are appended to them.</param>
-internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionStyle style, VectorColumns columns)
+internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, MotionStyle style, VectorColumns columns)
 {
     /// <summary>Counts. The controller may reject a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
     private readonly List<VectorSegment> _segments = [];
-    private CountsPoint _start;
-    private double _length;
-    private int _slopeSpeed = int.MaxValue;
-    private bool _hasArcs;
 
-    /// <summary>A line of this sequence rises or falls.</summary>
-    private bool ChangesHeight => _slopeSpeed < int.MaxValue;
+    /// <summary>The exact start of each segment.</summary>
+    private readonly List<Point2D> _starts = [];
+    private readonly List<VectorSegment> _planned = [];
+    private CountsPoint _start;
+    private int _startHeight;
+    private double _length;
+    private bool _changesHeight;
+    private bool _hasArcs;
 
     /// <summary>Predicted position: whole counts after VP, the exact end point after CR.</summary>
     public Point2D Position { get; private set; }
@@ -34,7 +39,7 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     {
         _start = start;
         (Position, Height) = (new Point2D(start.X, start.Y), start.Z);
-        (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
+        Clear();
     }
 
     /// <summary>Appends the stroke.</summary>
@@ -51,47 +56,94 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        columns.Append(FeedLimit.For(_segments, Math.Min(wantedSpeed, _slopeSpeed)), _segments, ChangesHeight);
+        planner.Plan();
+        Append();
         var end = _segments[^1].End;
         Position = new Point2D(end.X, end.Y);
-        _segments.Clear();
-        (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
+        Clear();
     }
 
     /// <summary>Adds VP, divided equally if it is too long for one. A target less than a count away is not sent.</summary>
-    public void Line(CountsPoint target, int entity)
+    public void Line(CountsPoint target, in PathCourse course)
     {
         if (target.Z != Height && _hasArcs) EndSequence(); // LM takes no arcs (galil-dmc.md B.7)
         var from = Position;
         var way = new Point2D(target.X, target.Y) - from;
-        if (target.Z != Height) _slopeSpeed = Math.Min(_slopeSpeed, slope.Of(way, target.Z - Height));
         var (rise, length) = ((double)target.Z - Height, double.Hypot(way.Length, (double)target.Z - Height));
         if (length < ShortestLine) return;
+        _changesHeight |= target.Z != Height;
         var (pieces, height) = ((int)Math.Ceiling(length / (DmcLimits.LongestSegment - 2.0)), Height);
-        for (var i = 1; i < pieces; i++) Piece(CountsScale.Round(from + (way * ((double)i / pieces))) with { Z = height + (int)Math.Round(rise * i / pieces) }, entity);
-        Piece(target, entity);
+        for (var i = 1; i < pieces; i++) Piece(CountsScale.Round(from + (way * ((double)i / pieces))) with { Z = height + (int)Math.Round(rise * i / pieces) }, course);
+        Piece(target, course);
     }
 
     /// <summary>Adds CR.</summary>
-    public void Arc(ArcPrediction arc, int entity)
+    public void Arc(ArcPrediction arc, in PathCourse course)
     {
-        if (ChangesHeight) EndSequence();
+        if (_changesHeight) EndSequence();
         _hasArcs = true;
-        Add(new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End) with { Z = Height }, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, entity, arc.Length), arc.End);
+        var segment = new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End) with { Z = Height }, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, course.Entity, arc.Length) { Move = course.Move };
+        Add(segment, arc.End, course.Feed, PathDirection.Of(SequenceKinematics.Direction(segment, default, 0.0)), PathDirection.Of(SequenceKinematics.Direction(segment, default, 1.0)));
     }
 
-    private void Piece(CountsPoint target, int entity)
+    private void Piece(CountsPoint target, in PathCourse course)
     {
         var end = new Point2D(target.X, target.Y);
-        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, entity, target.Z == Height ? Position.DistanceTo(end) : double.Hypot(Position.DistanceTo(end), (double)target.Z - Height)), end);
+        var length = target.Z == Height ? Position.DistanceTo(end) : double.Hypot(Position.DistanceTo(end), (double)target.Z - Height);
+        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, course.Entity, length) { Move = course.Move }, end, course.Feed, course.StartDirection, course.EndDirection);
     }
 
-    private void Add(in VectorSegment segment, Point2D end)
+    private void Add(in VectorSegment segment, Point2D end, double feed, PathDirection start, PathDirection last)
     {
+        _starts.Add(Position);
         _segments.Add(segment);
+        planner.Add(segment.Length, segment.Kind == VectorSegmentKind.Line ? double.PositiveInfinity : segment.Radius, feed, start, last);
         _length += segment.Length;
         (Position, Height) = (end, segment.End.Z);
-        if (style == MotionStyle.Calls || _length + (2.0 * DmcLimits.LongestSegment) > (ChangesHeight ? DmcLimits.LongestIncrements : DmcLimits.LongestSequence)) EndSequence();
+        if (style == MotionStyle.Calls || _length + (2.0 * DmcLimits.LongestSegment) > (_changesHeight ? DmcLimits.LongestIncrements : DmcLimits.LongestSequence)) EndSequence();
+    }
+
+    /// <summary>The sequence with its planned speeds. Where it brakes inside a segment, the segment is divided there.</summary>
+    private void Append()
+    {
+        planner.Command();
+        _planned.Clear();
+        var fastest = 0;
+        for (var i = 0; i < _segments.Count; i++)
+        {
+            var speeds = planner.SpeedsOf(i);
+            if (speeds.Second == 0 || !Divide(i, speeds)) _planned.Add(_segments[i] with { Speed = speeds.Second == 0 ? speeds.First : speeds.Second });
+            fastest = Math.Max(fastest, _planned[^1].Speed);
+            if (speeds.Second != 0) fastest = Math.Max(fastest, _planned.Count > 1 ? _planned[^2].Speed : 0);
+        }
+
+        var most = FeedLimit.For(_planned, fastest);
+        if (most < fastest || _planned.TrueForAll(segment => segment.Speed == fastest))
+        {
+            var isUniform = _planned.TrueForAll(segment => segment.Speed >= most);
+            for (var i = 0; i < _planned.Count; i++) _planned[i] = _planned[i] with { Speed = isUniform ? 0 : Math.Min(most, _planned[i].Speed) };
+        }
+
+        columns.Append(most, planner.Acceleration, _planned, _changesHeight);
+    }
+
+    private bool Divide(int index, PlannedSpeeds speeds)
+    {
+        var (from, segment) = (_starts[index], _segments[index]);
+        var z = index == 0 ? _startHeight : _segments[index - 1].End.Z;
+        if ((segment.Kind == VectorSegmentKind.Line ? SegmentDivision.Line(from, z, segment, speeds.Braking) : SegmentDivision.Arc(from, segment, speeds.Braking, arcs.Quantum)) is not { } parts) return false;
+        _planned.Add(parts.First with { Speed = speeds.FirstFor(parts.Last.Length, planner.Acceleration) });
+        _planned.Add(parts.Last with { Speed = speeds.Second });
+        return true;
+    }
+
+    private void Clear()
+    {
+        planner.Clear();
+        _segments.Clear();
+        _starts.Clear();
+        (_length, _changesHeight, _hasArcs) = (0.0, false, false);
+        _startHeight = Height;
     }
 }
 

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Motion.Planning;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Language;
@@ -8,6 +9,8 @@ using Engraver.Galil.Language;
 namespace Engraver.Galil.Programs.Generation;
 
 /// <summary>Converts strokes to vector sequences, one after the other.</summary>
+/// <remarks>The moves of a stroke become courses in exact counts; corners are rounded between courses, and each course is cut as soon as the arcs at both of
+/// its ends are known.</remarks>
 internal sealed class StrokeGenerator
 {
     /// <summary>Maximum number of halvings of an arc before it is cut as chords.</summary>
@@ -15,29 +18,43 @@ internal sealed class StrokeGenerator
 
     private const double ShortestPiece = 8.0;
 
+    /// <summary>What is left of an arc between two corners is not cut where it is shorter, counts.</summary>
+    private const double ShortestCourse = 1.0;
+
     private readonly CountsScale _scale;
     private readonly double _maxErrorMm;
+    private readonly double _cornerTolerance;
     private readonly ArcCommandFit _arcFit;
     private readonly SequenceBuilder _builder;
-    private readonly CornerDetector _corners;
     private readonly MachineProfile _profile;
+    private readonly MotionStyle _style;
+    private readonly PathLimits _limits;
+    private readonly SlopeSpeed _slope;
+    private readonly bool _stopsAtCorners;
+    private readonly List<PathCourse> _waiting = [];
+    private bool _isRounding;
     private double _lift;
+    private double _trimmed;
     private CountsPoint _reached;
-    private int _entity;
-    private double? _slope;
+    private Point2D _reachedExactly;
+    private Point2D _cutTo;
+    private PathCourse _course;
 
     /// <param name="profile">The machine.</param>
-    /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>
+    /// <param name="tolerances">How far the motion may be beside the toolpath.</param>
     /// <param name="style">How segments are grouped.</param>
     /// <param name="columns">Columns of the whole program; the strokes are appended to them.</param>
-    public StrokeGenerator(MachineProfile profile, double maxErrorMm, MotionStyle style, VectorColumns columns)
+    public StrokeGenerator(MachineProfile profile, MotionTolerances tolerances, MotionStyle style, VectorColumns columns)
     {
-        _profile = profile;
+        (_profile, _style) = (profile, style);
         _scale = profile.Scale;
-        _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
+        _maxErrorMm = ArcChords.ErrorOf(tolerances.MaxErrorMm, _scale);
+        _cornerTolerance = _scale.IsUniform ? _scale.Finer.CountsOf(tolerances.CornerMm) : 0.0;
         _arcFit = new ArcCommandFit(new AngleQuantum(profile.AngleQuantumDegrees));
-        _builder = new SequenceBuilder(profile.VectorSpeed(), new SlopeSpeed(profile), style, columns);
-        _corners = new CornerDetector(profile, profile.VectorSpeed());
+        _limits = PathLimits.Of(profile);
+        _slope = new SlopeSpeed(profile);
+        _stopsAtCorners = tolerances.CornerMm == 0.0;
+        _builder = new SequenceBuilder(new SpeedPlanner(_limits, DmcLimits.AccelerationStep), _arcFit, style, columns);
     }
 
     /// <summary>Appends a pass of the stroke, in counts.</summary>
@@ -48,40 +65,45 @@ internal sealed class StrokeGenerator
     {
         var first = stroke.Moves[0];
         _lift = lift;
+        _isRounding = _cornerTolerance > 0.0 && _style != MotionStyle.Calls && (_profile.Height is null || stroke.Moves.All(move => move.StartZ == move.EndZ));
         _reached = Place(first.Segment.Start, first.StartZ);
-        _slope = null;
-        _corners.Begin();
+        _reachedExactly = _scale.Exact(first.Segment.Start);
+        _cutTo = new Point2D(_reached.X, _reached.Y);
+        _waiting.Clear();
+        _trimmed = 0.0;
         _builder.Begin(_reached);
-        foreach (var move in stroke.Moves) Move(move);
+        for (var i = 0; i < stroke.Moves.Count; i++) Move(stroke.Moves[i], i);
+        while (_waiting.Count > 0) CutFirst();
         return _builder.Finish(stroke.Index, terms);
     }
 
-    private void Move(in StrokeMove move)
+    private void Move(in StrokeMove move, int index)
     {
         var segment = move.Segment;
         var (from, to) = (Place(segment.Start, move.StartZ), Place(segment.End, move.EndZ));
-        if (Vanishes(segment) && to.Z == _builder.Height)
+        if (Vanishes(segment) && to.Z == _reached.Z) return;
+        var start = _scale.Exact(segment.Start);
+        if (from != _reached) Add(new PathCourse(Segment.FromLine(_reachedExactly, start), _reached.Z, from.Z, move.EntityIndex, index, 0.0)); // a gap within the join tolerance
+        var end = _scale.Exact(segment.End);
+        if (segment.Kind == SegmentKind.Line)
         {
-            _corners.Skip(segment);
-            return;
+            Add(new PathCourse(Segment.FromLine(start, end), from.Z, to.Z, move.EntityIndex, index, 0.0));
+        }
+        else if (_scale.IsUniform && ArcCommandFit.CanHold(_scale.Exact(segment.Arc).Radius))
+        {
+            Add(new PathCourse(Segment.FromArc(_scale.Exact(segment.Arc), start, end), from.Z, to.Z, move.EntityIndex, index, 0.0));
+        }
+        else
+        {
+            foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm).Select(_scale.Exact))
+            {
+                Add(new PathCourse(Segment.FromLine(start, vertex), from.Z, from.Z, move.EntityIndex, index, 0.0));
+                start = vertex;
+            }
         }
 
-        _entity = move.EntityIndex;
-        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // no short circuit: both calls record the move
-        BridgeGapTo(from);
-        Cut(segment, from.Z, to);
-        _reached = to;
-        _corners.Cut(segment);
-    }
-
-    /// <summary>Where heights are cut, a change of slope is a corner like one in plan.</summary>
-    private bool IsBentUpOrDown(in StrokeMove move)
-    {
-        if (_profile.Height is null) return false;
-        var slope = Math.Atan2(move.EndZ - move.StartZ, move.Segment.Length) * (180.0 / Math.PI);
-        var bend = _slope is { } before ? Math.Abs(slope - before) : 0.0;
-        _slope = slope;
-        return bend > _profile.SharpCornerDegrees;
+        (_reached, _reachedExactly) = (to, end);
+        _cutTo = segment.Kind == SegmentKind.Line ? new Point2D(to.X, to.Y) : end;
     }
 
     private CountsPoint Place(Point2D millimetres, double z) => _scale.ToCounts(millimetres) with { Z = HeightOf(z, _profile, _lift) };
@@ -91,34 +113,58 @@ internal sealed class StrokeGenerator
 
     /// <summary>True when the move is shorter than a count and does not add up to a count together with the previous ones.</summary>
     private bool Vanishes(in Segment segment) =>
-        _scale.Finer.CountsOf(segment.Length) < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
+        _scale.Finer.CountsOf(segment.Length) < 1.0 && _cutTo.DistanceTo(_scale.Exact(segment.End)) < 1.0;
 
-    /// <summary>Cuts across a gap within the join tolerance. Measured from the drawn end of the previous move, not from the predicted end of its arc.</summary>
-    private void BridgeGapTo(CountsPoint start)
+    private void Add(in PathCourse course)
     {
-        if (start != _reached) _builder.Line(start, _entity);
+        var feed = course.IsLevel ? _profile.VectorSpeed() : _slope.Of(course.Shape.End - course.Shape.Start, course.EndZ - course.StartZ);
+        var next = course with { Feed = feed };
+        if (_waiting.Count > 0 && _stopsAtCorners && _style != MotionStyle.Calls && IsCorner(_waiting[^1], next)) next = next with { IsAfterStop = true };
+        _waiting.Add(next);
+        if (_waiting.Count > 2) CutFirst();
     }
 
-    private void Cut(in Segment segment, int height, CountsPoint end)
+    /// <summary>The path turns too sharply between two courses to be run at their speed.</summary>
+    private bool IsCorner(in PathCourse before, in PathCourse after) =>
+        _limits.SpeedThrough(_limits.TurnOf(before.EndDirection, after.StartDirection), Math.Min(before.Length, after.Length)) < Math.Min(before.Feed, after.Feed);
+
+    /// <summary>Cuts the first course that waits, and the arc at the corner after it.</summary>
+    private void CutFirst()
     {
-        if (segment.Kind == SegmentKind.Line)
-        {
-            _builder.Line(end, _entity);
-        }
-        else if (!_scale.IsUniform)
-        {
-            foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm)) _builder.Line(_scale.ToCounts(vertex) with { Z = height }, _entity);
-        }
-        else
-        {
-            Arc(_scale.Exact(segment.Arc), _scale.Exact(segment.End));
-        }
+        var course = _waiting[0];
+        var corner = CornerAfter(0, _waiting.Count > 2 ? LengthWantedAfter(1) : 0.0);
+        Cut(course.Trimmed(_trimmed, corner?.Before ?? 0.0));
+        _trimmed = corner?.After ?? 0.0;
+        _waiting.RemoveAt(0);
+        if (corner is { } rounding) Cut(new PathCourse(Segment.FromArc(rounding.Arc), course.EndZ, course.EndZ, _waiting[0].Entity, _waiting[0].Move, Math.Min(course.Feed, _waiting[0].Feed)));
     }
 
-    private void Arc(ArcSegment wanted, Point2D trueEnd)
+    /// <summary>The arc between two courses that wait; null where there is none.</summary>
+    /// <param name="index">Of the first of them.</param>
+    /// <param name="wantedByNext">Length of the second one that the arc at its other end would replace.</param>
+    private CornerArc? CornerAfter(int index, double wantedByNext)
     {
-        if (ArcCommandFit.CanHold(wanted.Radius)) LastPiece(wanted, trueEnd, MaxHalvings);
-        else Chords(wanted);
+        if (!IsRounded(index)) return null;
+        var (before, after) = (_waiting[index], _waiting[index + 1]);
+        var whole = Largest(before, after, (before.Length - _trimmed, after.Length));
+        if (whole is not { } wanted || wanted.After + wantedByNext <= after.Length) return whole;
+        var share = wantedByNext <= 0.0 ? 1.0 : Math.Max(wanted.After / (wanted.After + wantedByNext), 1.0 - (wantedByNext / after.Length));
+        return Largest(before, after, (before.Length - _trimmed, after.Length * share));
+    }
+
+    /// <summary>Length of the first of two courses that the arc between them would replace.</summary>
+    private double LengthWantedAfter(int index) => IsRounded(index) && Largest(_waiting[index], _waiting[index + 1], (_waiting[index].Length, _waiting[index + 1].Length)) is { } arc ? arc.Before : 0.0;
+
+    private bool IsRounded(int index) => _isRounding && index + 1 < _waiting.Count && IsCorner(_waiting[index], _waiting[index + 1]);
+
+    private CornerArc? Largest(in PathCourse before, in PathCourse after, (double Before, double After) most) => CornerArc.Largest(before, after, _cornerTolerance, most, DmcLimits.SmallestRadius, DmcLimits.LargestRadius);
+
+    private void Cut(in PathCourse course)
+    {
+        _course = course;
+        if (course.IsAfterStop) _builder.EndSequence();
+        if (course.IsLine) _builder.Line(CountsScale.Round(course.Shape.End) with { Z = course.EndZ }, course);
+        else if (course.Length >= ShortestCourse) LastPiece(course.Shape.Arc, course.Shape.End, MaxHalvings);
     }
 
     /// <summary>The piece that ends at the end of the move: one CR; otherwise the arc is halved, and its second half is processed in the same way.</summary>
@@ -127,7 +173,7 @@ internal sealed class StrokeGenerator
         var target = CountsScale.Round(trueEnd);
         if (_arcFit.ToEnd(_builder.Position, wanted, new Point2D(target.X, target.Y), trueEnd) is { } aimed)
         {
-            _builder.Arc(aimed, _entity);
+            _builder.Arc(aimed, _course);
         }
         else if (CanHalve(wanted, halvings))
         {
@@ -144,7 +190,7 @@ internal sealed class StrokeGenerator
     {
         if (_arcFit.ToMark(_builder.Position, wanted) is { } aimed)
         {
-            _builder.Arc(aimed, _entity);
+            _builder.Arc(aimed, _course);
         }
         else if (CanHalve(wanted, halvings))
         {
@@ -159,7 +205,10 @@ internal sealed class StrokeGenerator
 
     private void Chords(ArcSegment wanted)
     {
-        foreach (var vertex in ArcChords.Vertices(wanted, _scale.Finer.CountsOf(_maxErrorMm))) _builder.Line(CountsScale.Round(vertex) with { Z = _builder.Height }, _entity);
+        foreach (var vertex in ArcChords.Vertices(wanted, _scale.Finer.CountsOf(_maxErrorMm)))
+        {
+            _builder.Line(CountsScale.Round(vertex) with { Z = _builder.Height }, _course with { Shape = Segment.FromLine(_builder.Position, vertex) });
+        }
     }
 
     private static bool CanHalve(ArcSegment wanted, int halvings) => halvings > 0 && wanted.Length >= 2.0 * ShortestPiece;

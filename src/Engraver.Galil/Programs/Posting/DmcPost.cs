@@ -39,7 +39,7 @@ public static class DmcPost
     private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options)
     {
         var ownPlunges = HasOwnPlunges(program);
-        return new PostTemplate((done, first) => CallsOpening(program, done, first, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
+        return new PostTemplate((done, first) => CallsOpening(program, done, first, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { Profile = program.Profile, MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
     }
 
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
@@ -49,7 +49,7 @@ public static class DmcPost
         var spelling = new SequenceSyntax(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff, terms => Ready(program.Profile, terms));
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        return new PostTemplate((done, first) => Opening(program, done, first, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
+        return new PostTemplate((done, first) => Opening(program, done, first, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { Profile = program.Profile, MaxLines = SequenceWriter.MaxLines };
     }
 
     private static PostOutput Posted(MotionProgram program, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
@@ -92,7 +92,7 @@ public static class DmcPost
         _ => $"o{name}=_RP{axis.Letter}",
     }));
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, StrokeTerms? first, DmcPostOptions options) => Opening(program, done, first, DmcFormat.Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, StrokeTerms? first, DmcPostOptions options) => Opening(program, done, first, DmcFormat.Text($"{UsualSpeeds(program.Profile)};seq={done}"), options);
 
     private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame, bool ownPlunges)
     {
@@ -102,19 +102,25 @@ public static class DmcPost
             .Line([.. isHeld ? (string[])[DmcFormat.Text($"z=oz{z:+0;-0}"), PlungeAssignment(program.Profile, stroke.Terms, ownPlunges), "JS" + Down] : ["JS#TOOLON"], Wait(stroke.Terms?.PierceSeconds ?? 0.0)]);
         foreach (var sequence in stroke.Sequences)
         {
-            foreach (var segment in sequence.Segments) lines.Line(sequence.ChangesHeight ? SlopeCall(segment, sequence) : Call(segment, sequence.Start));
+            foreach (var segment in sequence.Segments) lines.Line(Call(segment, sequence, program.Profile));
         }
 
         return lines.Line(Wait(stroke.Terms?.DwellSeconds ?? 0.0), isHeld ? "JS" + Up : "JS#TOOLOFF").Lines;
     }
 
-    /// <summary>A slope has a separate speed; after it f is restored.</summary>
-    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => DmcFormat.Text(
-        $"x={(long)segment.End.X - sequence.Start.X};y={(long)segment.End.Y - sequence.Start.Y};z={(long)segment.End.Z - sequence.Start.Z};f={sequence.Speed};JS{Slope}");
+    /// <summary>Speed and acceleration that most calls have; every call leaves them.</summary>
+    private static string UsualSpeeds(MachineProfile profile) => DmcFormat.Text($"f={profile.VectorSpeed()};va={profile.AccelerationCounts}");
 
-    private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
-        ? DmcFormat.Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
-        : DmcFormat.Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circular}");
+    private static string Call(in VectorSegment segment, VectorSequence sequence, MachineProfile profile)
+    {
+        var (x, y) = ((long)segment.End.X - sequence.Start.X, (long)segment.End.Y - sequence.Start.Y);
+        var (target, label) = sequence.ChangesHeight ? (DmcFormat.Text($"x={x};y={y};z={(long)segment.End.Z - sequence.Start.Z}"), Slope)
+            : segment.Kind == VectorSegmentKind.Line ? (DmcFormat.Text($"x={x};y={y}"), Linear)
+            : (DmcFormat.Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)}"), Circular);
+        var (speed, acceleration) = (sequence.SpeedOf(segment), sequence.AccelerationOn(profile));
+        var (f, va) = (speed == profile.VectorSpeed() ? string.Empty : DmcFormat.Text($"f={speed}"), acceleration == profile.AccelerationCounts ? string.Empty : DmcFormat.Text($"va={acceleration}"));
+        return Statements(target, f, va, "JS" + label);
+    }
 
     private static IReadOnlyList<string> CallsClosing(MotionProgram program, DmcPostOptions options)
     {
@@ -122,10 +128,10 @@ public static class DmcPost
         return
         [
             .. End(program, options),
-            .. LinearLines(profile, CountCall),
-            .. CircularLines(profile, CountCall),
+            .. LinearLines(profile, $"{UsualSpeeds(profile)};{CountCall}"),
+            .. CircularLines(profile, $"{UsualSpeeds(profile)};{CountCall}"),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
-            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, DmcFormat.Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, HasOwnPlunges(program), string.Empty, CountCall), .. UpLines(profile, CountCall)],
+            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, $"{UsualSpeeds(profile)};{CountCall}"), .. DownLines(profile, HasOwnPlunges(program), string.Empty, CountCall), .. UpLines(profile, CountCall)],
             .. MotorTypeTest.Ends(profile),
             .. CommandErrorEndsTheJob(program, options),
             .. options.Unattended ? UnattendedProgram.Lines(profile, program.LongestWait) : [],
@@ -165,4 +171,7 @@ internal sealed record PostTemplate(
 {
     /// <summary>Upper bound of the number of lines of a stroke, determined without writing it.</summary>
     public required Func<MotionStroke, int> MaxLines { get; init; }
+
+    /// <summary>The machine.</summary>
+    public required MachineProfile Profile { get; init; }
 }

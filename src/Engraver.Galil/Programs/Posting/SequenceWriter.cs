@@ -38,7 +38,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 
     private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
-        lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VS {sequence.Speed}"));
+        var acceleration = sequence.AccelerationOn(profile);
+        lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VS {sequence.Speed}"), DmcFormat.Text($"VA {acceleration}"), DmcFormat.Text($"VD {acceleration}"));
         var (sent, sinceRoom, started) = (0, 0, false);
         foreach (var group in Groups(sequence))
         {

@@ -18,7 +18,7 @@ public static class CallsServerProgram
     [
         Entry,
         profile.Height is null ? "op=0;x=0;y=0;r=0;th=0;da=0" : "op=0;x=0;y=0;z=0;r=0;th=0;da=0",
-        DmcFormat.Text($"f={profile.VectorSpeed()};go=0;done=1;seq=0"),
+        DmcFormat.Text($"f={profile.VectorSpeed()};va={profile.AccelerationCounts};go=0;done=1;seq=0"),
         CommandErrorProgram.ClearStatement,
         WatchdogProgram.StartStatement,
         "SH" + profile.Axes.Letters,

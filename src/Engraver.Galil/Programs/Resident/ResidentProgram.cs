@@ -121,6 +121,9 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
 
         /// <summary>Vector speed of lines and arcs, counts/s.</summary>
         public const string Feed = "f";
+
+        /// <summary>Acceleration and deceleration of lines and arcs, counts/s2.</summary>
+        public const string Acceleration = "va";
     }
 
     /// <summary>Values of <see cref="Variables.Operation"/>.</summary>

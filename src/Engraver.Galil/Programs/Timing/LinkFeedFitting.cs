@@ -13,7 +13,7 @@ public static class LinkFeedFitting
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(line);
         var strokes = program.Strokes
-            .Select(stroke => stroke with { Sequences = [.. stroke.Sequences.Select(sequence => sequence with { Speed = LinkFeedLimit.FastestSpeed(sequence, line, program.Profile.AccelerationCounts) })] })
+            .Select(stroke => stroke with { Sequences = [.. stroke.Sequences.Select(sequence => sequence.LimitedTo(LinkFeedLimit.FastestSpeed(sequence, line, sequence.AccelerationOn(program.Profile))))] })
             .ToList();
         var lowered = program.Strokes.SelectMany(stroke => stroke.Sequences)
             .Zip(strokes.SelectMany(stroke => stroke.Sequences), (wanted, fit) => (Wanted: wanted, Fit: fit))

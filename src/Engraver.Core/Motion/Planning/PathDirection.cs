@@ -1,0 +1,17 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Motion.Planning;
+
+/// <summary>A direction of travel in counts, length 1.</summary>
+public readonly record struct PathDirection(double X, double Y, double Z)
+{
+    /// <summary>A direction in plan.</summary>
+    public static PathDirection Of(Vector2D direction) => new(direction.X, direction.Y, 0.0);
+
+    /// <summary>The direction of a way; zero for a way without length.</summary>
+    public static PathDirection Of(double x, double y, double z)
+    {
+        var length = double.Hypot(double.Hypot(x, y), z);
+        return length == 0.0 ? default : new PathDirection(x / length, y / length, z / length);
+    }
+}

@@ -1,0 +1,243 @@
+namespace Engraver.Core.Motion.Planning;
+
+/// <summary>Plans the speed along the segments of one sequence, from rest to rest: the least time that its limits allow with one acceleration for speeding up
+/// and braking.</summary>
+/// <remarks>
+/// A speed is bounded on a segment (feed; on an arc of radius r by v2/r) and at each joint. On an arc the acceleration along the path is added at a right
+/// angle: it may be VA only up to the speed at which sqrt(VA2 + (v2/r)2) is the limit; faster, the speed of the whole arc is constant. The forward pass gives
+/// the highest speed at each joint that can be reached from the start, the backward pass that from which the end can be reached; both maps are monotone, so
+/// that the smaller of the two is the highest speed of any plan, and no plan with this VA takes less time. VA itself is chosen among a few parts of the
+/// limit: less of it leaves more for arcs. All speeds that are commanded are even whole numbers.
+/// </remarks>
+public sealed class SpeedPlanner
+{
+    /// <summary>Parts of the largest acceleration that are tried for VA.</summary>
+    private static readonly double[] s_parts = [1.0, 0.98, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
+
+    /// <summary>Speeds that differ by less are the same, counts/s.</summary>
+    private const double SameSpeed = 2.0;
+
+    /// <summary>Lengths that differ by less are the same, counts.</summary>
+    private const double SameLength = 0.75;
+
+    private readonly PathLimits _limits;
+    private readonly int _step;
+    private readonly List<double> _lengths = [];
+    private readonly List<double> _feeds = [];
+
+    /// <summary>Of arcs; infinite for a line.</summary>
+    private readonly List<double> _radii = [];
+
+    /// <summary>Largest acceleration along a line; for an arc in any direction.</summary>
+    private readonly List<double> _bounds = [];
+
+    /// <summary>The turn before each segment, as <see cref="PathLimits.TurnOf"/>.</summary>
+    private readonly List<double> _turns = [];
+    private PathDirection _last;
+    private double _fastest;
+    private double[] _hold = [];
+    private double[] _ramp = [];
+    private double[] _joint = [];
+    private double[] _forward = [];
+    private double[] _speeds = [];
+    private double[] _best = [];
+
+    /// <param name="limits">Of the machine.</param>
+    /// <param name="step">VA is a multiple of this, counts/s2.</param>
+    public SpeedPlanner(PathLimits limits, int step) => (_limits, _step) = (limits, step);
+
+    /// <summary>Number of segments.</summary>
+    public int Count => _lengths.Count;
+
+    /// <summary>VA and VD of the plan, counts/s2.</summary>
+    public int Acceleration { get; private set; }
+
+    /// <summary>Seconds of the plan.</summary>
+    public double Seconds { get; private set; }
+
+    /// <summary>Begins a sequence.</summary>
+    public void Clear()
+    {
+        _lengths.Clear();
+        _feeds.Clear();
+        _radii.Clear();
+        _bounds.Clear();
+        _turns.Clear();
+        _fastest = 0.0;
+    }
+
+    /// <summary>Appends a segment.</summary>
+    /// <param name="length">Counts, above 0.</param>
+    /// <param name="radius">Counts; infinite for a line.</param>
+    /// <param name="feed">Largest speed, counts/s.</param>
+    /// <param name="start">Direction at its start, as it is drawn.</param>
+    /// <param name="end">Direction at its end.</param>
+    public void Add(double length, double radius, double feed, PathDirection start, PathDirection end)
+    {
+        _turns.Add(Count == 0 ? 0.0 : _limits.TurnOf(_last, start));
+        _lengths.Add(length);
+        _radii.Add(radius);
+        _feeds.Add(feed);
+        _bounds.Add(double.IsInfinity(radius) ? _limits.Along(start) : _limits.OnArcs);
+        _last = end;
+        _fastest = Math.Max(_fastest, feed);
+    }
+
+    /// <summary>Plans the segments since <see cref="Clear"/>.</summary>
+    public void Plan()
+    {
+        Reserve();
+        MeasureHolds();
+        var (best, acceleration) = (double.PositiveInfinity, 0);
+        foreach (var candidate in Candidates())
+        {
+            var seconds = Run(candidate);
+            if (!(seconds < best)) continue;
+            (best, acceleration) = (seconds, candidate);
+            (_best, _speeds) = (_speeds, _best);
+        }
+
+        (Seconds, Acceleration) = (best, acceleration);
+        (_speeds, _best) = (_best, _speeds);
+        SetRamps(acceleration);
+    }
+
+    /// <summary>What is commanded for a segment of the plan: one speed from its start, or two with a place between them.</summary>
+    public PlannedSpeeds SpeedsOf(int segment) => new(_first[segment], _second[segment], _braking[segment], _speeds[segment + 1]);
+
+    private int[] _first = [];
+    private int[] _second = [];
+    private double[] _braking = [];
+
+    /// <summary>Computes <see cref="SpeedsOf"/> for all segments, from the end to the start: a brake over several segments is commanded as one.</summary>
+    public void Command()
+    {
+        if (_first.Length < Count) (_first, _second, _braking) = (new int[_hold.Length], new int[_hold.Length], new double[_hold.Length]);
+        var (target, isBraking) = (0, true); // after the last segment: the controller brakes to rest by itself
+        for (var i = Count - 1; i >= 0; i--)
+        {
+            var (entry, exit, length) = (_speeds[i], _speeds[i + 1], _lengths[i]);
+            var cap = Even(Math.Sqrt(_ramp[i]));
+            if (entry * entry > _ramp[i] + 1.0) // an arc at constant speed
+            {
+                (_first[i], _second[i], _braking[i]) = (Even(Math.Min(entry, exit)), 0, 0.0);
+                isBraking = false;
+                continue;
+            }
+
+            if (!isBraking) target = Even(exit);
+            var peak = Math.Sqrt(Math.Min(_ramp[i], ((entry * entry) + (exit * exit)) / 2.0 + (Acceleration * length)));
+            var brake = Math.Max(0.0, ((peak * peak) - (exit * exit)) / (2.0 * Acceleration));
+            var isAutomatic = isBraking && target == 0;
+            var isWhole = brake >= length - SameLength;
+            (_second[i], _braking[i]) = (0, 0.0);
+            if (peak - exit <= SameSpeed || isAutomatic) _first[i] = cap;
+            else if (isWhole || length < 3.0) _first[i] = target;
+            else (_first[i], _second[i], _braking[i]) = (cap, target, Math.Max(1.0, brake));
+            isBraking = peak - exit > SameSpeed && isWhole && length >= 3.0;
+            if (!isBraking) target = 0;
+        }
+    }
+
+    private void Reserve()
+    {
+        if (_hold.Length >= Count + 1) return;
+        var size = Math.Max(64, Count + 1 + (Count / 2));
+        (_hold, _ramp, _joint, _forward, _speeds, _best) = (new double[size], new double[size], new double[size], new double[size], new double[size], new double[size]);
+    }
+
+    /// <summary>Squares of the speeds that are allowed on each segment and at each joint, whatever VA is.</summary>
+    private void MeasureHolds()
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            var feed = Square(Even(_feeds[i]));
+            _hold[i] = double.IsInfinity(_radii[i]) ? feed : Math.Min(feed, Square(Even(Math.Sqrt(_bounds[i] * _radii[i]))));
+            _joint[i] = i == 0 ? 0.0 : Square(Even(Math.Min(_fastest, _limits.SpeedThrough(_turns[i], Math.Min(_lengths[i - 1], _lengths[i])))));
+        }
+    }
+
+    private IEnumerable<int> Candidates()
+    {
+        var (least, hasBends) = (double.PositiveInfinity, false);
+        for (var i = 0; i < Count; i++)
+        {
+            least = Math.Min(least, _bounds[i]);
+            hasBends |= !double.IsInfinity(RadiusOf(i)) && _hold[i] > 0.0;
+        }
+
+        var all = (hasBends ? s_parts : s_parts.AsSpan(0, 1).ToArray()).SelectMany(part => least < _limits.Total ? (double[])[part * _limits.Total, part * least] : [part * _limits.Total]);
+        return all.Select(wanted => Math.Max(_step, (int)(wanted / _step) * _step)).Distinct();
+    }
+
+    /// <summary>Radius by which changes of the speed are bounded: that of an arc; for short lines with a turn at an end, which approximate one, that of the
+    /// arc.</summary>
+    private double RadiusOf(int segment)
+    {
+        var radius = _radii[segment];
+        if (!double.IsInfinity(radius) || _lengths[segment] > _feeds[segment] * _limits.MeasuredOver) return radius;
+        var turn = Math.Max(_turns[segment], segment + 1 < Count ? _turns[segment + 1] : 0.0) * _limits.Total;
+        return turn * _fastest <= 0.02 * PathLimits.Sample * _limits.Total ? radius : _lengths[segment] / turn;
+    }
+
+    /// <summary>Squares of the speeds up to which the speed of each segment may change at this VA.</summary>
+    private void SetRamps(int acceleration)
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            var bound = _bounds[i];
+            if (acceleration > bound * (1.0 + 1e-9))
+            {
+                _ramp[i] = 0.0;
+                continue;
+            }
+
+            var radius = RadiusOf(i);
+            _ramp[i] = double.IsInfinity(radius) ? _hold[i] : Math.Min(_hold[i], Square(Even(Math.Sqrt(radius * Math.Sqrt(Math.Max(0.0, (bound * bound) - ((double)acceleration * acceleration)))))));
+        }
+    }
+
+    /// <summary>The plan with this VA in <see cref="_speeds"/>.</summary>
+    /// <returns>Its seconds; infinite where the path cannot be run with it.</returns>
+    private double Run(int acceleration)
+    {
+        SetRamps(acceleration);
+        var twice = 2.0 * acceleration;
+        var square = 0.0;
+        for (var i = 0; i < Count; i++)
+        {
+            square = Math.Min(square, Math.Min(_joint[i], _hold[i]));
+            _forward[i] = square;
+            if (square <= _ramp[i]) square = Math.Min(_ramp[i], square + (twice * _lengths[i]));
+        }
+
+        (square, _speeds[Count]) = (0.0, 0.0);
+        var seconds = 0.0;
+        for (var i = Count - 1; i >= 0; i--)
+        {
+            var exit = _speeds[i + 1];
+            if (square <= _ramp[i]) square = Math.Min(_ramp[i], square + (twice * _lengths[i]));
+            square = Math.Min(Math.Min(square, _hold[i]), Math.Min(i == 0 ? 0.0 : _joint[i], _forward[i]));
+            var entry = Math.Sqrt(square);
+            _speeds[i] = entry;
+            seconds += TimeOf(entry, exit, _ramp[i], _lengths[i], acceleration);
+        }
+
+        return seconds;
+    }
+
+    private static double TimeOf(double entry, double exit, double ramp, double length, int acceleration)
+    {
+        if (entry * entry > ramp + 1.0) return length / entry;
+        var middle = (((entry * entry) + (exit * exit)) / 2.0) + (acceleration * length);
+        if (middle <= ramp) return ((2.0 * Math.Sqrt(middle)) - entry - exit) / acceleration;
+        if (ramp <= 0.0) return double.PositiveInfinity;
+        var peak = Math.Sqrt(ramp);
+        return (((2.0 * peak) - entry - exit) / acceleration) + ((middle - ramp) / acceleration / peak);
+    }
+
+    /// <summary>The largest even whole number up to a value; 2 at least.</summary>
+    private static int Even(double speed) => Math.Max(2, 2 * (int)((speed + 1e-6) / 2.0));
+
+    private static double Square(double value) => value * value;
+}
