@@ -36,7 +36,7 @@ public class MachineProfileFileTests
         var profile = MachineProfile.Default;
 
         Assert.Equal((MachineAxes.FromScale(1000.0, 1000.0), 256000), (profile.Axes, profile.AccelerationCounts));
-        Assert.Equal((1, 0.1, 10.0, 1.0 / 65536.0), (profile.ToolOutput, profile.ToolSettleSeconds, profile.SharpCornerDegrees, profile.AngleQuantumDegrees));
+        Assert.Equal((1, 0.1, 1.0 / 65536.0), (profile.ToolOutput, profile.ToolSettleSeconds, profile.AngleQuantumDegrees));
     }
 
     [Fact]
@@ -45,10 +45,21 @@ public class MachineProfileFileTests
         var profile = new MachineProfile
         {
             Axes = new MachineAxes(new MachineAxis('C', -80.5), new MachineAxis('A', 81.25)), FeedMmPerMinute = 601, RapidMmPerMinute = 2999, AccelerationCounts = 102400,
-            SharpCornerDegrees = 12.5, ToolOutput = 3, ToolSettleSeconds = 0.25, AngleQuantumDegrees = 1.0 / 256.0,
+            AccelerationX = 51200, AccelerationY = 20480, ToolOutput = 3, ToolSettleSeconds = 0.25, AngleQuantumDegrees = 1.0 / 256.0,
         };
 
         Assert.Equal(profile, MachineProfileFile.Read(MachineProfileFile.Write(profile), s_limits).Profile);
+    }
+
+    /// <summary>Files of earlier versions have the field; it is reported, and does not keep the file from being read.</summary>
+    [Fact]
+    public void The_angle_of_sharp_corners_is_ignored_and_told()
+    {
+        var read = MachineProfileFile.Read("{ \"sharpCornerDegrees\": 20 }", s_limits);
+
+        Assert.Equal(MachineProfile.Default, read.Profile);
+        Assert.Equal(("MOT0026", "sharpCornerDegrees", 1), (Assert.Single(read.Diagnostics).Id, read.Diagnostics[0].Facts[0], read.Diagnostics[0].Source.Line));
+        Assert.DoesNotContain("sharpCorner", MachineProfileFile.Write(MachineProfile.Default), StringComparison.Ordinal);
     }
 
     [Fact]

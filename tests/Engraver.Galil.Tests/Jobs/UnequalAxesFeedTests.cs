@@ -27,7 +27,7 @@ public class UnequalAxesFeedTests
     {
         await using var bench = new SimulatedBench();
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(countsX, countsY), FeedMmPerMinute = 60.0 * FeedMmPerSecond };
-        var program = MotionProgramGenerator.Generate(Star(), profile, 0.001, null, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous).Program!;
+        var program = MotionProgramGenerator.Generate(Star(), profile, new(0.001, 0.0), null, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous).Program!;
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 

@@ -42,7 +42,7 @@ public class BridgedGapTests
     public void A_gap_that_takes_the_tool_farther_than_two_and_a_half_counts_and_the_curve_error_is_warned_of(double gap, double scale, double maxError, bool warned)
     {
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(scale, Math.Abs(scale)) };
-        var found = MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10 + gap, 0, 20, 0)), profile, maxError, null).Diagnostics;
+        var found = MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10 + gap, 0, 20, 0)), profile, new(maxError, 0.0), null).Diagnostics;
 
         Assert.Equal(warned ? ["MOT0011"] : [], found.Select(finding => finding.Id));
     }
@@ -51,11 +51,11 @@ public class BridgedGapTests
     public void The_warning_counts_the_gaps_and_names_the_widest()
     {
         var toolpath = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10.008, 0, 20, 0), Toolpaths.Line(20.01, 0, 30, 0), Toolpaths.Line(30, 0, 40, 0));
-        var found = Assert.Single(MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, entity => new(entity + 1, null)).Diagnostics);
+        var found = Assert.Single(MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(MaxError, 0.0), entity => new(entity + 1, null)).Diagnostics);
 
         Assert.Equal(3, found.Source.Line);
         Assert.EndsWith("At 2 of them the tool deviates from the drawing by more than rounding and curve error, up to 0.005 mm. The widest gap is 0.01 mm, at 20, 0.", found.Sentence, StringComparison.Ordinal);
     }
 
-    private static MotionProgram Program(Toolpath toolpath) => MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, null).Program!;
+    private static MotionProgram Program(Toolpath toolpath) => MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(MaxError, 0.0), null).Program!;
 }

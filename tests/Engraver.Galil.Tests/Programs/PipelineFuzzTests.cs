@@ -65,7 +65,7 @@ public class PipelineFuzzTests
         var toolpath = ToolpathPlanner.Plan(sequence, default, MaxError);
         Assert.Equal(sequence.Strokes.Count, toolpath.Strokes.Count);
         Assert.All(toolpath.Strokes, stroke => Assert.NotEmpty(stroke.Moves));
-        var motion = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, drawing.SourceOf, seed % 2 == 0 ? MotionStyle.Continuous : MotionStyle.Calls);
+        var motion = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(MaxError, 0.0), drawing.SourceOf, seed % 2 == 0 ? MotionStyle.Continuous : MotionStyle.Calls);
         if (motion.Program is not { } program) Assert.Contains(motion.Diagnostics, finding => finding.Severity == Core.Diagnostics.Severity.Error);
         else Assert.InRange(program.SegmentCount, 0, MaxSegments);
     }

@@ -33,7 +33,7 @@ public class PostInControllerTests
     public async Task A_post_cuts_the_drawing_and_nothing_else(string job, MotionStyle style)
     {
         var (toolpath, profile) = Drawing(job);
-        var program = MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!;
+        var program = MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program!;
         await using var bench = new ControllerBench();
 
         foreach (var chunk in Post(program, 1000).Chunks) bench.RunJob(chunk);
@@ -53,7 +53,7 @@ public class PostInControllerTests
     {
         var profile = MachineProfile.Default with { Axes = MachineAxes.Default with { Y = MachineAxes.Default.Y with { MotorType = type } } };
         var (toolpath, _) = Drawing("paper");
-        var text = Assert.Single(Post(MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!, 1000).Chunks);
+        var text = Assert.Single(Post(MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program!, 1000).Chunks);
         await using var other = new ControllerBench();
         other.Do("CFI;SB1");
         other.Download(text);
@@ -76,7 +76,7 @@ public class PostInControllerTests
     public async Task Chunks_run_one_after_the_other_cut_the_same_drawing(MotionStyle style)
     {
         var (toolpath, profile) = Drawing("wave");
-        var post = Post(MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!, 70);
+        var post = Post(MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program!, 70);
         await using var bench = new ControllerBench();
 
         foreach (var chunk in post.Chunks) bench.RunJob(chunk);
@@ -93,7 +93,7 @@ public class PostInControllerTests
     {
         var (wave, profile) = Drawing("wave");
         var toolpath = wave with { ToolStart = new Point2D(1.5, -2) };
-        var post = Post(MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!, 70);
+        var post = Post(MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program!, 70);
         await using var bench = new ControllerBench();
         bench.Do("DP 7000,-3000");
 
@@ -109,7 +109,7 @@ public class PostInControllerTests
     [InlineData(MotionStyle.Continuous, "VP 0,0;VP 999999999,0")]
     public async Task A_refused_line_ends_the_job_with_the_tool_off(MotionStyle style, string refused)
     {
-        var program = MotionProgramGenerator.Generate(Toolpaths.Paper, HundredCounts, 0.001, null, style).Program!;
+        var program = MotionProgramGenerator.Generate(Toolpaths.Paper, HundredCounts, new(0.001, 0.0), null, style).Program!;
         var text = Post(program, 1000).Text;
         var broken = style == MotionStyle.Calls
             ? text.Replace("x=0;y=10000;JS#LINEAR", refused, StringComparison.Ordinal)

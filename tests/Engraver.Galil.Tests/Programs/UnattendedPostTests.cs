@@ -143,7 +143,7 @@ public class UnattendedPostTests
     [Fact]
     public void The_options_of_the_posts_give_origin_and_handlers_and_without_them_the_text_is_as_before()
     {
-        var program = MotionProgramGenerator.Generate(Slot(), MachineProfile.Default, 0.001, null, MotionStyle.Continuous).Program!;
+        var program = MotionProgramGenerator.Generate(Slot(), MachineProfile.Default, new(0.001, 0.0), null, MotionStyle.Continuous).Program!;
         string Text(params (string Name, string Value)[] options) => GalilPost.Sequences.Write(UsualOptions.Post(Slot(), program, null, options.ToDictionary(one => one.Name, one => one.Value))).Text;
 
         Assert.Equal(DmcPost.Sequences(program, DmcPostOptions.Default).Text, Text(("origin", "here"), ("unattended", "no")));
@@ -162,7 +162,7 @@ public class UnattendedPostTests
 
     private static PostOutput Post(Toolpath path, MachineProfile profile, MotionStyle style, DmcPostOptions options)
     {
-        var program = MotionProgramGenerator.Generate(path, profile, 0.001, null, style).Program!;
+        var program = MotionProgramGenerator.Generate(path, profile, new(0.001, 0.0), null, style).Program!;
         return style == MotionStyle.Calls ? DmcPost.Calls(program, options) : DmcPost.Sequences(program, options);
     }
 

@@ -36,7 +36,7 @@ public class DocumentWeightTests
         var columns = new VectorColumns(Lines);
         var segments = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => (sequence.Speed, Segments: sequence.Segments.ToArray())).ToList();
         var before = GC.GetAllocatedBytesForCurrentThread();
-        foreach (var (speed, of) in segments) columns.Append(speed, of, changesHeight: false);
+        foreach (var (speed, of) in segments) columns.Append(speed, 256000, of, changesHeight: false);
         var bytes = (double)(GC.GetAllocatedBytesForCurrentThread() - before) / columns.SegmentCount;
 
         Assert.Equal(Lines, columns.SegmentCount);

@@ -30,14 +30,14 @@ internal sealed class TinyDriver : IMachineDriver
     public string Describe(ExecutionStrategy strategy) => strategy == Plot ? "pen down for each stroke" : "pen down for each segment";
 
     /// <summary>Every move becomes a line between whole counts.</summary>
-    public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style)
+    public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, MotionTolerances tolerances, Func<int, SourceRef>? sourceOf, MotionStyle style)
     {
         var (columns, speed) = (new VectorColumns(16), (int)(profile.Scale.Finer.CountsOf(profile.FeedMmPerMinute / 60.0)));
         foreach (var stroke in toolpath.Strokes)
         {
             var at = profile.Scale.ToCounts(stroke.Start);
             var lines = stroke.Moves.Select(move => (move.EntityIndex, End: profile.Scale.ToCounts(move.Segment.End))).ToList();
-            columns.Append(speed, [.. lines.Select((line, i) => Line(i == 0 ? at : lines[i - 1].End, line.End, line.EntityIndex))], changesHeight: false);
+            columns.Append(speed, profile.AccelerationCounts, [.. lines.Select((line, i) => Line(i == 0 ? at : lines[i - 1].End, line.End, line.EntityIndex))], changesHeight: false);
             columns.EndStroke(stroke.Index, at);
         }
 

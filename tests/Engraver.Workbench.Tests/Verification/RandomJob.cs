@@ -39,7 +39,7 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
     public override string ToString()
     {
         var machine = Settings.Machine;
-        return $"{Target} {string.Join(' ', Options.Select(option => $"--{option.Key} {option.Value}"))} of {_shapes} from {Settings.Start.X}, {Settings.Start.Y} by {machine.Scale.X.CountsPerMillimetre} x {machine.Scale.Y.CountsPerMillimetre}, feed {machine.FeedMmPerMinute}, rapid {machine.RapidMmPerMinute}, corner {machine.SharpCornerDegrees}, settle {machine.ToolSettleSeconds}, {machine.ToolOffSettleSeconds}, {machine.Spindle}";
+        return $"{Target} {string.Join(' ', Options.Select(option => $"--{option.Key} {option.Value}"))} of {_shapes} from {Settings.Start.X}, {Settings.Start.Y} by {machine.Scale.X.CountsPerMillimetre} x {machine.Scale.Y.CountsPerMillimetre}, feed {machine.FeedMmPerMinute}, rapid {machine.RapidMmPerMinute}, settle {machine.ToolSettleSeconds}, {machine.ToolOffSettleSeconds}, {machine.Spindle}";
     }
 
     private static Dictionary<string, string> OptionsOf(Random random, string target)
@@ -69,7 +69,6 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
             Height = isMill ? new HeightDrive { CutDepth = 0.5 } : null,
             FeedMmPerMinute = random.Next(3) == 0 ? random.Next(60, 3000) : 1200.0,
             RapidMmPerMinute = random.Next(3) == 0 ? random.Next(600, 6000) : 3000.0,
-            SharpCornerDegrees = random.Next(3) == 0 ? random.Next(1, 90) : 10.0,
             ToolActiveLow = random.Next(4) == 0,
             ToolOutput = random.Next(1, 4),
             ToolSettleSeconds = random.Next(3) switch { 0 => 0.0, 1 => random.Next(1, 800) / 1000.0, _ => 0.1 },

@@ -218,7 +218,7 @@ public class ProgramStrategyTests
     public async Task The_generators_own_program_runs_the_same()
     {
         await using var bench = new SimulatedBench();
-        var program = MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, 0.001, null).Program!;
+        var program = MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, new(0.001, 0.0), null).Program!;
         var result = await bench.RunAsync(program, Job);
 
         Assert.Equal((JobOutcome.Complete, program.SegmentCount), (result.Outcome, result.SegmentsExecuted));

@@ -106,7 +106,7 @@ public class JobTimeTests
             "squares" => Toolpaths.OfStrokes([.. Enumerable.Range(0, 12).Select(i => Square(5 * i, 3))]),
             _ => throw new ArgumentOutOfRangeException(nameof(name)),
         },
-        MachineProfile.Default, 0.001, null, style).Program!;
+        MachineProfile.Default, new(0.001, 0.0), null, style).Program!;
 
     private static Segment[] Square(double x, double side) =>
         [Toolpaths.Line(x, 0, x + side, 0), Toolpaths.Line(x + side, 0, x + side, side), Toolpaths.Line(x + side, side, x, side), Toolpaths.Line(x, side, x, 0)];

@@ -75,7 +75,7 @@ public class ArcPredictionTests
     /// stroke's end from its drawn end (counts).</summary>
     private static (double Path, double End) WorstOff(Toolpath toolpath, MachineProfile profile)
     {
-        var program = MotionProgramGenerator.Generate(toolpath, profile, profile.Scale.Finer.LengthOf(ChordError), null).Program;
+        var program = MotionProgramGenerator.Generate(toolpath, profile, new(profile.Scale.Finer.LengthOf(ChordError), 0.0), null).Program;
         Assert.NotNull(program);
         var (path, end) = (0.0, 0.0);
         foreach (var (stroke, drawn) in program.Strokes.Zip(toolpath.Strokes))

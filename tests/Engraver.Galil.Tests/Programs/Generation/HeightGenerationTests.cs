@@ -42,7 +42,7 @@ public class HeightGenerationTests
     [InlineData(-30.0, 300.0 / 0.948683)] // steep: limited by the plunge feed
     public void A_slope_is_cut_at_the_feed_in_space_and_falls_no_faster_than_the_plunge_feed(double depth, double feed)
     {
-        var program = Generated(s_mill with { SharpCornerDegrees = 90 }, Move(Toolpaths.Line(0, 0, 10, 0), 0, depth));
+        var program = Generated(s_mill, Move(Toolpaths.Line(0, 0, 10, 0), 0, depth));
 
         var sequence = program.Strokes.Single().Sequences.Single();
         var counts = double.Hypot(10000.0, depth * 400.0);
@@ -108,5 +108,5 @@ public class HeightGenerationTests
     }
 
     private static MotionGeneration Generate(MachineProfile profile, params StrokeMove[] moves) =>
-        MotionProgramGenerator.Generate(new Toolpath(Point2D.Origin, [new ToolpathStroke(0, false, moves)]), profile, 0.001, entity => new SourceRef(10 * entity));
+        MotionProgramGenerator.Generate(new Toolpath(Point2D.Origin, [new ToolpathStroke(0, false, moves)]), profile, new(0.001, 0.0), entity => new SourceRef(10 * entity));
 }

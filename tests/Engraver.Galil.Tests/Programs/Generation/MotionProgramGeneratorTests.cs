@@ -57,7 +57,7 @@ public class MotionProgramGeneratorTests
     {
         var arcs = Enumerable.Range(0, 10_000).Select(i => new[] { Toolpaths.Arc(i % 100, i / 100, i == 77 ? 60_000 : 50_000, 0, 350) }).ToArray();
 
-        var made = MotionProgramGenerator.Generate(Toolpaths.OfStrokes(arcs), MachineProfile.Default, MaxError, entity => new SourceRef(entity));
+        var made = MotionProgramGenerator.Generate(Toolpaths.OfStrokes(arcs), MachineProfile.Default, new(MaxError, 0.0), entity => new SourceRef(entity));
 
         Assert.Null(made.Program);
         var finding = Assert.Single(made.Diagnostics);
@@ -154,7 +154,7 @@ public class MotionProgramGeneratorTests
     public void A_path_longer_than_a_sequence_may_be_is_broken_into_sequences()
     {
         var toAndFro = Toolpaths.OfStroke([.. Enumerable.Range(0, 500).Select(i => Toolpaths.Line(4000 * (i % 2), 0, 4000 * ((i + 1) % 2), 0))]);
-        var profile = MachineProfile.Default with { SharpCornerDegrees = 180 };
+        var profile = MachineProfile.Default;
 
         var sequences = Only(Program(toAndFro, profile)).Sequences;
 
@@ -179,7 +179,7 @@ public class MotionProgramGeneratorTests
     {
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, -400) };
         var arc = Toolpaths.Arc(3, 4, 25, 10, 300);
-        var generation = MotionProgramGenerator.Generate(Toolpaths.OfStroke(arc), profile, MaxError, null);
+        var generation = MotionProgramGenerator.Generate(Toolpaths.OfStroke(arc), profile, new(MaxError, 0.0), null);
 
         Assert.Equal(["MOT0005"], generation.Diagnostics.Select(finding => finding.Id));
         var stroke = Only(generation.Program!);
@@ -190,7 +190,7 @@ public class MotionProgramGeneratorTests
     [Fact]
     public void Segments_that_the_buffer_could_not_be_fed_with_slow_the_sequence_down()
     {
-        var profile = MachineProfile.Default with { SharpCornerDegrees = 180 };
+        var profile = MachineProfile.Default;
         var fine = Toolpaths.OfStroke([.. Enumerable.Range(0, 1000).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
         var shortFine = Toolpaths.OfStroke([.. Enumerable.Range(0, 400).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
 
@@ -201,7 +201,7 @@ public class MotionProgramGeneratorTests
     [Fact]
     public void Calls_stop_after_every_segment_and_aim_the_next_from_whole_counts()
     {
-        var stroke = Only(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, MaxError, null, MotionStyle.Calls).Program!);
+        var stroke = Only(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, new(MaxError, 0.0), null, MotionStyle.Calls).Program!);
 
         Assert.Equal([1, 1, 1, 1], stroke.Sequences.Select(sequence => sequence.Segments.Count));
         Assert.Equal(stroke.Sequences.Skip(1).Select(sequence => sequence.Start), stroke.Sequences.SkipLast(1).Select(sequence => sequence.End));
@@ -211,7 +211,7 @@ public class MotionProgramGeneratorTests
     public void A_stroke_smaller_than_a_count_is_left_out_and_named()
     {
         var speck = Toolpaths.OfStrokes([Toolpaths.Arc(5, 5, 0.0001, 0, 360)], [Toolpaths.Line(0, 0, 1, 0)]);
-        var generation = MotionProgramGenerator.Generate(speck, MachineProfile.Default, MaxError, entity => new SourceRef(70 + entity));
+        var generation = MotionProgramGenerator.Generate(speck, MachineProfile.Default, new(MaxError, 0.0), entity => new SourceRef(70 + entity));
 
         Assert.Equal([("MOT0004", 70L)], generation.Diagnostics.Select(finding => (finding.Id, finding.Source.Line)));
         Assert.Equal(1, Only(generation.Program!).Index);
@@ -225,7 +225,7 @@ public class MotionProgramGeneratorTests
     public void An_entity_that_cannot_be_counted_is_named_and_there_is_no_program(double x, string id)
     {
         var toolpath = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 1, 1), Toolpaths.Line(1, 1, x, 1));
-        var generation = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, entity => new SourceRef(100 + entity, "2F"));
+        var generation = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(MaxError, 0.0), entity => new SourceRef(100 + entity, "2F"));
 
         Assert.Null(generation.Program);
         Assert.Equal((id, new SourceRef(101, "2F")), (generation.Diagnostics[0].Id, generation.Diagnostics[0].Source));
@@ -236,7 +236,7 @@ public class MotionProgramGeneratorTests
     public void What_lies_near_the_start_is_counted_however_far_both_lie_from_the_drawings_zero()
     {
         var toolpath = Toolpaths.OfStroke(Toolpaths.Line(3_500_000, 5_400_000, 3_500_060, 5_400_000), Toolpaths.Arc(3_500_060, 5_400_020, 20, -90, 180)) with { ToolStart = new Point2D(3_500_000, 5_400_000) };
-        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, null).Program!;
+        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(MaxError, 0.0), null).Program!;
 
         Assert.Equal(new CountsPoint(3_500_000_000, 5_400_000_000), program.Start);
         Assert.Equal(new CountsPoint(3_500_060_000, 5_400_040_000), program.Strokes[^1].Sequences[^1].End);
@@ -245,22 +245,22 @@ public class MotionProgramGeneratorTests
 
     [Fact]
     public void An_arc_that_bulges_out_of_the_counts_is_refused_though_its_ends_are_inside() =>
-        Assert.Equal("MOT0001", MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Arc(2_147_400, 0, 200, -90, 180)), MachineProfile.Default, MaxError, null).Diagnostics[0].Id);
+        Assert.Equal("MOT0001", MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Arc(2_147_400, 0, 200, -90, 180)), MachineProfile.Default, new(MaxError, 0.0), null).Diagnostics[0].Id);
 
     [Fact]
     public void A_tool_start_that_cannot_be_counted_is_refused() =>
-        Assert.Equal("MOT0003", MotionProgramGenerator.Generate(Toolpaths.Paper with { ToolStart = new Point2D(0, double.NaN) }, MachineProfile.Default, MaxError, null).Diagnostics[0].Id);
+        Assert.Equal("MOT0003", MotionProgramGenerator.Generate(Toolpaths.Paper with { ToolStart = new Point2D(0, double.NaN) }, MachineProfile.Default, new(MaxError, 0.0), null).Diagnostics[0].Id);
 
     [Fact]
     public void A_profile_beyond_the_controller_gives_no_program() =>
-        Assert.Equal("MOT0006", MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default with { AccelerationCounts = 100_000 }, MaxError, null).Diagnostics[0].Id);
+        Assert.Equal("MOT0006", MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default with { AccelerationCounts = 100_000 }, new(MaxError, 0.0), null).Diagnostics[0].Id);
 
     [Fact]
     public void An_empty_toolpath_is_an_empty_program() =>
         Assert.Empty(Program(new Toolpath(new Point2D(1, 2), [])).Strokes);
 
     private static MotionProgram Program(Toolpath toolpath, MachineProfile? profile = null) =>
-        MotionProgramGenerator.Generate(toolpath, profile ?? MachineProfile.Default, MaxError, null).Program ?? throw new InvalidOperationException("The toolpath should be good.");
+        MotionProgramGenerator.Generate(toolpath, profile ?? MachineProfile.Default, new(MaxError, 0.0), null).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
     private static MotionStroke Only(MotionProgram program) => Assert.Single(program.Strokes);
 

@@ -142,7 +142,7 @@ public class DmcPostTests
     [Fact]
     public void A_long_sequence_starts_when_the_buffer_is_nearly_full_and_is_fed_behind_the_guard()
     {
-        var program = Program(Sawtooth(2000), MachineProfile.Default with { SharpCornerDegrees = 180 }, MotionStyle.Continuous);
+        var program = Program(Sawtooth(2000), MachineProfile.Default, MotionStyle.Continuous);
 
         var (buffered, started, sinceRoom) = (0, false, 0);
         foreach (var statement in Lines(DmcPost.Sequences(program, DmcPostOptions.Default).Text).TakeWhile(line => line != "EN").SelectMany(line => line.Split(';')))
@@ -199,7 +199,7 @@ public class DmcPostTests
     [InlineData(MotionStyle.Continuous)]
     public void A_stroke_longer_than_the_memory_is_cut_with_the_tool_off_and_the_entity_is_named(MotionStyle style)
     {
-        var program = Program(Sawtooth(3000), MachineProfile.Default with { SharpCornerDegrees = 180 }, style);
+        var program = Program(Sawtooth(3000), MachineProfile.Default, style);
         var post = DmcPostOf(style)(program, DmcPostOptions.Default with { MemoryLines = 200 }, entity => new SourceRef(1000 + entity));
 
         Assert.Equal(post.Chunks.Count - 1, post.Diagnostics.Count);
@@ -211,7 +211,7 @@ public class DmcPostTests
     [Fact]
     public void A_sequence_cut_by_the_memory_goes_on_from_where_it_stopped()
     {
-        var program = Program(Sawtooth(3000), MachineProfile.Default with { SharpCornerDegrees = 180 }, MotionStyle.Continuous);
+        var program = Program(Sawtooth(3000), MachineProfile.Default, MotionStyle.Continuous);
         var post = DmcPost.Sequences(program, DmcPostOptions.Default with { MemoryLines = 200 });
 
         var (x, y) = (0, 0);
@@ -228,7 +228,7 @@ public class DmcPostTests
     }
 
     private static MotionProgram Program(Toolpath toolpath, MachineProfile profile, MotionStyle style) =>
-        MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
+        MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
     private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, PostOutput> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
 

@@ -18,7 +18,7 @@ public class PostFindingsTests
     public void What_a_post_finds_is_known_without_writing_it(MotionStyle style)
     {
         var toolpath = new Toolpath(default, [Zigzag(0, 40), Zigzag(1, 9_000), Zigzag(2, 3), Zigzag(3, 2_500)]);
-        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, 0.001, _ => new SourceRef(7, "A"), style).Program!;
+        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(0.001, 0.0), _ => new SourceRef(7, "A"), style).Program!;
         IPost post = style == MotionStyle.Calls ? GalilPost.Calls : GalilPost.Sequences;
         var request = UsualOptions.Post(toolpath, program, entity => new SourceRef(entity, "A"), new Dictionary<string, string>());
         var written = post.Write(request);
@@ -33,7 +33,7 @@ public class PostFindingsTests
     public void No_stroke_has_more_lines_than_its_bound()
     {
         var toolpath = new Toolpath(default, [.. Enumerable.Range(0, 12).Select(i => Zigzag(i, 1 << i))]);
-        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, 0.001, null).Program!;
+        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(0.001, 0.0), null).Program!;
         foreach (var stroke in program.Strokes)
         {
             var alone = DmcPost.Sequences(program with { Strokes = [stroke] }, DmcPostOptions.Default with { MemoryLines = 1_000_000 });

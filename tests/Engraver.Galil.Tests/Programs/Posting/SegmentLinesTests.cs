@@ -13,7 +13,7 @@ public class SegmentLinesTests
     public void Each_segment_has_the_line_that_commands_it(MotionStyle style, string line, string arc)
     {
         var toolpath = Toolpaths.Paper;
-        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, 0.001, null, style).Program!;
+        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, new(0.001, 0.0), null, style).Program!;
         var post = style == MotionStyle.Calls ? GalilPost.Calls : GalilPost.Sequences;
         var written = post.Write(UsualOptions.Post(toolpath, program, null, new Dictionary<string, string>()));
         var lines = written.Text.Split('\n');

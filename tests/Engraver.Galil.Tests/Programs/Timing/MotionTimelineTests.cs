@@ -14,7 +14,7 @@ public class MotionTimelineTests
     {
         foreach (var path in new[] { Toolpaths.Paper, Toolpaths.OfStrokes([Toolpaths.Line(1, 1, 1.2, 1)], [Toolpaths.Arc(30, 5, 4, 0, 360)], [Toolpaths.Line(30, 5, 90, 5), Toolpaths.Line(90, 5, 90, 60)]) })
         {
-            var program = MotionProgramGenerator.Generate(path, MachineProfile.Default, 0.001, null, style).Program!;
+            var program = MotionProgramGenerator.Generate(path, MachineProfile.Default, new(0.001, 0.0), null, style).Program!;
             var timeline = MotionTimeline.From(program, DmcTimes.Ethernet, CancellationToken.None);
             var times = MotionTime.Calculate(program, DmcTimes.Ethernet);
 
@@ -28,7 +28,7 @@ public class MotionTimelineTests
     [Fact]
     public void Spans_follow_each_other_without_a_gap_in_time_or_place_and_the_tool_is_on_only_in_a_stroke()
     {
-        var program = MotionProgramGenerator.Generate(Toolpaths.OfStrokes([Toolpaths.Line(1, 1, 9, 1)], [Toolpaths.Line(20, 20, 30, 20), Toolpaths.Line(30, 20, 30, 30)]), MachineProfile.Default, 0.001, null).Program!;
+        var program = MotionProgramGenerator.Generate(Toolpaths.OfStrokes([Toolpaths.Line(1, 1, 9, 1)], [Toolpaths.Line(20, 20, 30, 20), Toolpaths.Line(30, 20, 30, 30)]), MachineProfile.Default, new(0.001, 0.0), null).Program!;
         var spans = MotionTimeline.From(program, DmcTimes.Ethernet, CancellationToken.None).Spans;
 
         for (var i = 1; i < spans.Count; i++)
@@ -44,7 +44,7 @@ public class MotionTimelineTests
     [Fact]
     public void A_moment_is_found_in_its_span()
     {
-        var timeline = MotionTimeline.From(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, 0.001, null).Program!, DmcTimes.Ethernet, CancellationToken.None);
+        var timeline = MotionTimeline.From(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, new(0.001, 0.0), null).Program!, DmcTimes.Ethernet, CancellationToken.None);
         for (var i = 0; i < timeline.Spans.Count; i++) Assert.Equal(i, timeline.SpanAt(timeline.Spans[i].Start + (timeline.Spans[i].Seconds / 2.0)));
 
         Assert.Equal((0, timeline.Spans.Count - 1), (timeline.SpanAt(-1.0), timeline.SpanAt(1e9)));
