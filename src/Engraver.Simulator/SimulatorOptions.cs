@@ -32,6 +32,11 @@ public sealed record SimulatorOptions
     /// <summary>Virtual time that one host command takes at speed max (galil-dmc.md A.4).</summary>
     public TimeSpan CommandCost { get; init; } = TimeSpan.FromMilliseconds(1.6);
 
+    /// <summary>Time that the controller takes to decode and execute one command of a host, before its prompt: at every speed, over every link, and in
+    /// addition to the time of the link (<see cref="CommandCost"/>, or ten bits a byte on the serial port). By default it is part of the time of the
+    /// link.</summary>
+    public TimeSpan DecodeTime { get; init; }
+
     /// <summary>Controller time that one command of a running program takes (galil-dmc.md A.4, I.8).</summary>
     public TimeSpan LineCost { get; init; } = TimeSpan.FromMilliseconds(0.5);
 
