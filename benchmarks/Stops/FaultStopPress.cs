@@ -30,7 +30,7 @@ internal sealed class FaultStopPress(string folder, int? baud, string? driver, P
     /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
     public async Task<PressedStop?> RunAsync(string? fault, CancellationToken stop)
     {
-        await using var controller = ServedSimulator.Create(1.0, profile: null, faults: null, signColumn: false);
+        await using var controller = ServedSimulator.Create(new ServedSimulatorSettings(1.0));
         await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, driver, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
         var ear = new WireListener(wire);
         await using var machine = new MachineSession(TimeProvider.System);

@@ -10,6 +10,7 @@ namespace Engraver.Simulator;
 internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
 {
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+    private readonly DecodeQueue _decoding = new(options.Time, options.DecodeTime / options.Speed);
 
     /// <summary>The output of each handle's commands; garbage-collected together with the handle.</summary>
     private readonly ConditionalWeakTable<Handle, CommandContext> _contexts = [];
@@ -19,8 +20,22 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
     /// <summary>True while replies that the fault plan delays wait to be sent.</summary>
     public bool HasLateReplies => _replies.AreWaiting;
 
+    /// <summary>Wall time until the next command that is being decoded is executed; null when there is none.</summary>
+    public TimeSpan? DecodeRemaining => _decoding.Remaining;
+
     /// <summary>Sends the delayed replies that are due.</summary>
     public void ReleaseReplies() => _replies.Release();
+
+    /// <summary>Executes the commands whose decode time has passed.</summary>
+    public void ReleaseCommands() => _decoding.Release();
+
+    bool ICommandSink.DefersCommand(Handle handle)
+    {
+        if (options.DecodeTime == TimeSpan.Zero) return false;
+        if (clock.FollowsWall) _decoding.Add(handle);
+        else clock.Spend(options.DecodeTime);
+        return clock.FollowsWall;
+    }
 
     ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
     {
@@ -46,8 +61,8 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
     /// <summary>Delays the answer: by controller time when it is virtual or a host has the clock, otherwise by wall time.</summary>
     private void LateBy(TimeSpan delay)
     {
-        if (options.IsVirtual || clock.Hosts.HasHosts) clock.Spend(delay);
-        else _late = delay;
+        if (clock.FollowsWall) _late = delay;
+        else clock.Spend(delay);
     }
 
     string? ICommandSink.Refuse(Handle handle, int code)

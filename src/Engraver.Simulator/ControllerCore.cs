@@ -88,6 +88,7 @@ internal sealed class ControllerCore : IDisposable
             try
             {
                 _clock.Pace();
+                _dispatcher.ReleaseCommands();
                 taken?.Invoke(Machine.ClockTicks);
                 handle.Receive(bytes);
                 _clock.ByteReceived();
@@ -220,13 +221,19 @@ internal sealed class ControllerCore : IDisposable
         _recordFile.Complete();
     }
 
-    private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.HasHosts ? HostTick : SilenceRule.Short;
+    private TimeSpan TickPeriod =>
+        _options.IsVirtual ? _clock.Hosts.HasHosts ? HostTick : SilenceRule.Short
+        : _dispatcher.DecodeRemaining is { } rest && rest < ShortestTick ? TimerWait(rest)
+        : ShortestTick;
+
+    /// <summary>A wait of at least one millisecond and of whole milliseconds, as the computer's timers count; a timer would shorten any other.</summary>
+    private static TimeSpan TimerWait(TimeSpan wait) => TimeSpan.FromMilliseconds(Math.Max(1.0, Math.Ceiling(wait.TotalMilliseconds)));
 
     /// <summary>Wall time until the next event that needs no command. Infinite when idle: then no processor time is used, and the next command wakes the
     /// controller and advances it to the wall clock.</summary>
     private TimeSpan TimeWithoutEvents()
     {
-        if (_status.IsAwaited || _dispatcher.HasLateReplies || _clock.Hosts.HasHosts) return TickPeriod;
+        if (_status.IsAwaited || _dispatcher.HasLateReplies || _dispatcher.DecodeRemaining is not null || _clock.Hosts.HasHosts) return TickPeriod;
         if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
         if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
         var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
@@ -267,6 +274,7 @@ internal sealed class ControllerCore : IDisposable
     {
         _nextTick = TimeSpan.MaxValue;
         _clock.Pace();
+        _dispatcher.ReleaseCommands();
         _dispatcher.ReleaseReplies();
         PollHosts();
 

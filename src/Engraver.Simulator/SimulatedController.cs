@@ -18,6 +18,7 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(options);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.Speed);
+        ArgumentOutOfRangeException.ThrowIfLessThan(options.DecodeTime, TimeSpan.Zero);
         ArgumentOutOfRangeException.ThrowIfLessThan(options.HandleCount, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.HandleCount, 8);
         _options = options;

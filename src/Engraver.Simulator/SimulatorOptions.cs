@@ -18,8 +18,24 @@ public sealed record SimulatorOptions
     /// <summary>Resolution of the CR radius in counts, truncated (galil-dmc.md B.3); 0 keeps it real.</summary>
     public double RadiusQuantum { get; init; } = 1;
 
+    /// <summary>True when the ramp to the speed after "&gt;" begins at the start of its segment and that speed is then held to the end; false when it begins
+    /// as late as possible (galil-dmc.md B.4).</summary>
+    public bool EarlyRamps { get; init; }
+
+    /// <summary>True when a "&gt;" is ignored that arrives while the "&gt;" of an earlier segment has not been executed (galil-dmc.md B.4).</summary>
+    public bool OnePendingExit { get; init; }
+
+    /// <summary>True when the speed after "&lt;" applies to its own segment only, and a segment without it runs at VS; false when it applies until the next
+    /// "&lt;" or VS (galil-dmc.md B.1, B.4).</summary>
+    public bool OwnEntrySpeed { get; init; }
+
     /// <summary>Virtual time that one host command takes at speed max (galil-dmc.md A.4).</summary>
     public TimeSpan CommandCost { get; init; } = TimeSpan.FromMilliseconds(1.6);
+
+    /// <summary>Time that the controller takes to decode and execute one command of a host, before its prompt: at every speed, over every link, and in
+    /// addition to the time of the link (<see cref="CommandCost"/>, or ten bits a byte on the serial port). By default it is part of the time of the
+    /// link.</summary>
+    public TimeSpan DecodeTime { get; init; }
 
     /// <summary>Controller time that one command of a running program takes (galil-dmc.md A.4, I.8).</summary>
     public TimeSpan LineCost { get; init; } = TimeSpan.FromMilliseconds(0.5);

@@ -230,6 +230,87 @@ public class VectorMotionTests
         Assert.InRange(samples[corner - 1].A - samples[corner - 2].A, 11, 12);
     }
 
+    [Theory]
+    [InlineData(false, 20000, 20000)]
+    [InlineData(true, 12000, 4000)]
+    public async Task An_early_ramp_begins_with_its_segment_and_its_speed_is_held(bool early, double afterStart, double halfway)
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { EarlyRamps = early });
+        rig.Do(Setup).Do("VP 10000,0", "VP 40000,0>4000", "VP 50000,0", "VE", "BGS").RunToIdle();
+
+        Assert.Equal(20000, SpeedAt(rig, 10_000), 300.0);
+        Assert.Equal(afterStart, SpeedAt(rig, 10_500), 1000.0);
+        Assert.Equal(halfway, SpeedAt(rig, 25_000), 300.0);
+        Assert.Equal(4000, SpeedAt(rig, 40_000), 1000.0);
+        Assert.Equal(20000, SpeedAt(rig, 45_000), 300.0);
+        Assert.Equal((50000, 101), (rig.Value("_RPA"), rig.Value("_SCA")));
+    }
+
+    [Fact]
+    public async Task An_early_ramp_also_accelerates_and_overrides_VS_up_to_the_end_of_its_segment()
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { EarlyRamps = true });
+        rig.Do("VMAB", "VS 4000", "VA 256000", "VD 256000", "VP 20000,0<6000>12000", "VP 40000,0", "VE", "BGS").Pass(500);
+        Assert.Equal(12000, rig.Value("_VMS"));
+
+        rig.Do("VR 0.5", "VS 5000").Pass(100);
+        Assert.Equal(6000, rig.Value("_VMS"));
+        rig.Do("VR 1").Pass(2000);
+        Assert.Equal((1, 5000), (rig.Value("_CSS"), rig.Value("_VMS")));
+    }
+
+    [Fact]
+    public async Task An_early_ramp_to_0_ends_with_its_segment()
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { EarlyRamps = true });
+        rig.Do(Setup).Do("VP 10000,0>0", "VP 20000,0", "VE", "BGS").RunToIdle();
+
+        Assert.Equal((20000, 101), (rig.Value("_RPA"), rig.Value("_SCA")));
+    }
+
+    [Theory]
+    [InlineData(false, 4000)]
+    [InlineData(true, 20000)]
+    public async Task A_second_pending_exit_speed_is_ignored(bool one, double second)
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { OnePendingExit = one });
+        rig.Do(Setup).Do("VP 10000,0>8000", "VP 20000,0>4000", "VP 40000,0", "VE", "BGS").RunToIdle();
+
+        Assert.Equal(8000, SpeedAt(rig, 10_000), 1000.0);
+        Assert.Equal(second, SpeedAt(rig, 20_000), 1000.0);
+    }
+
+    [Fact]
+    public async Task An_exit_speed_counts_again_once_the_pending_one_is_executed_or_removed()
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { OnePendingExit = true });
+        rig.Do(Setup).Do("VP 10000,0>8000", "VP 20000,0", "BGS");
+        Assert.True(rig.Controller.AdvanceUntil(s => s.SegmentsExecuted == 1, TimeSpan.FromSeconds(5)));
+        rig.Do("VP 30000,0>4000", "VP 40000,0", "VE").RunToIdle();
+        rig.Do("VP 10000,0>8000", "CSS", "VP 10000,0>6000", "VP 20000,0", "VE", "BGS").RunToIdle();
+
+        Assert.Equal(8000, SpeedAt(rig, 10_000), 1000.0);
+        Assert.Equal(4000, SpeedAt(rig, 30_000), 1000.0);
+        Assert.Equal(6000, SpeedAt(rig, 50_000), 1000.0);
+    }
+
+    [Theory]
+    [InlineData(false, 8000, 3000)]
+    [InlineData(true, 20000, 8000)]
+    public async Task An_entry_speed_applies_until_the_next_one_or_to_its_own_segment(bool own, double second, double afterVs)
+    {
+        await using var rig = new SimulatorRig(new SimulatorOptions { OwnEntrySpeed = own });
+        rig.Do(Setup).Do("VP 10000,0<8000", "VP 30000,0", "VE", "BGS").RunToIdle();
+        Assert.Equal(8000, SpeedAt(rig, 9000), 300.0);
+        Assert.Equal(second, SpeedAt(rig, 20_000), 300.0);
+
+        rig.Do("VP 10000,0<8000", "VP 30000,0", "VE", "BGS").Pass(200);
+        rig.Do("VS 3000").Pass(200);
+        Assert.Equal((0, afterVs), (rig.Value("_CSS"), rig.Value("_VMS")));
+        rig.RunToIdle();
+        Assert.Equal(3000, SpeedAt(rig, 50_000), 300.0);
+    }
+
     [Fact]
     public async Task AV_counts_from_the_previous_AV_and_switches_outputs_on_the_path()
     {
@@ -303,6 +384,14 @@ public class VectorMotionTests
         }
 
         return best;
+    }
+
+    /// <summary>The mean speed of axis A over the four samples before it reaches a position, counts/s.</summary>
+    private static double SpeedAt(SimulatorRig rig, int place)
+    {
+        var samples = rig.Controller.Record.Snapshot();
+        var there = Enumerable.Range(0, samples.Count).First(i => samples[i].A >= place);
+        return (samples[there].A - samples[there - 4].A) * 250.0;
     }
 
     private static int[] Steps(SimulatorRig rig)

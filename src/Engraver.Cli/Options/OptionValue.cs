@@ -21,6 +21,9 @@ internal static class OptionValue
     /// <summary>Seconds above 0, at most a day.</summary>
     public static double SecondsOfADay(ArgumentResult result) => Number(result, value => value is > 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsUpToADay"));
 
+    /// <summary>Seconds from 0, at most a day.</summary>
+    public static double SecondsFromZero(ArgumentResult result) => Number(result, value => value is >= 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsFromZero"));
+
     /// <summary>Mm/min above 0 and below a million.</summary>
     public static double Speed(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1e6, Wording.Get("OptionValue.Speed"));
 

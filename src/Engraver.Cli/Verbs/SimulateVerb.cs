@@ -27,7 +27,14 @@ internal static class SimulateVerb
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.FaultsFile") };
         var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.Numbers"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
         var number = new Option<int?>("--serial-number") { HelpName = "N", Description = Wording.Get("Simulate.SerialNumber") };
-        var command = new MachineCommand("simulate", Wording.Get("Simulate.Summary")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
+        var decode = new Option<double>("--decode") { HelpName = "SECONDS", Description = Wording.Get("Simulate.Decode"), CustomParser = OptionValue.SecondsFromZero };
+        var earlyRamps = new Option<bool>("--early-ramps") { Description = Wording.Get("Simulate.EarlyRamps") };
+        var onePendingExit = new Option<bool>("--one-pending-exit") { Description = Wording.Get("Simulate.OnePendingExit") };
+        var ownEntrySpeed = new Option<bool>("--own-entry-speed") { Description = Wording.Get("Simulate.OwnEntrySpeed") };
+        var command = new MachineCommand("simulate", Wording.Get("Simulate.Summary"))
+        {
+            port, datagrams, serial, baud, speed, record, machine, faults, numbers, number, decode, earlyRamps, onePendingExit, ownEntrySpeed,
+        };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudNeedsSerial"));
@@ -41,8 +48,17 @@ internal static class SimulateVerb
                 return ExitCode.Usage;
             }
 
-            var profile = parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null;
-            var served = ServedSimulator.Create(parsed.GetValue(speed), profile, plan, parsed.GetValue(numbers) == Column, parsed.GetValue(number));
+            var served = ServedSimulator.Create(new ServedSimulatorSettings(parsed.GetValue(speed))
+            {
+                Profile = parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null,
+                Faults = plan,
+                SignColumn = parsed.GetValue(numbers) == Column,
+                SerialNumber = parsed.GetValue(number),
+                EarlyRamps = parsed.GetValue(earlyRamps),
+                OnePendingExit = parsed.GetValue(onePendingExit),
+                OwnEntrySpeed = parsed.GetValue(ownEntrySpeed),
+                DecodeTime = TimeSpan.FromSeconds(parsed.GetValue(decode)),
+            });
             return await RunAsync(host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), served, stop).ConfigureAwait(false);
         });
         return command;

@@ -28,10 +28,14 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <summary>Wall time since the controller was switched on.</summary>
     public TimeSpan Wall => options.Time.GetElapsedTime(_started);
 
+    /// <summary>True when controller time follows the wall clock; false when it is virtual or a host has the clock, so that it is advanced by
+    /// <see cref="Spend"/>.</summary>
+    public bool FollowsWall => !options.IsVirtual && !Hosts.HasHosts;
+
     /// <summary>Advances controller time by the duration of a command or a byte, unless time follows the wall clock.</summary>
     public void Spend(TimeSpan cost)
     {
-        if (!options.IsVirtual && !Hosts.HasHosts) return;
+        if (FollowsWall) return;
         machine.Advance(cost);
         _credit -= cost;
     }

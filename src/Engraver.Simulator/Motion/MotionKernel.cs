@@ -16,7 +16,7 @@ internal sealed class MotionKernel
     public MotionKernel(SimulatorOptions options)
     {
         Axes = [.. Enumerable.Range(0, Axis.Letters.Length).Select(i => new Axis(i, Polarity, options))];
-        Planes = [new VectorPlane('S'), new VectorPlane('T')];
+        Planes = [new VectorPlane('S', options), new VectorPlane('T', options)];
         Selected = Planes[0];
         Contour = new ContourMode(options.ContourRecords);
         Cam = new ElectronicCam(this);

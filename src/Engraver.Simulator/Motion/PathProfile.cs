@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Motion;
 
 /// <summary>The trapezoid along the path of one plane (galil-dmc.md B.4, B.5). Speeds counts/s, lengths counts, times seconds.</summary>
-internal sealed class PathProfile(SegmentBuffer buffer)
+internal sealed class PathProfile(SegmentBuffer buffer, SimulatorOptions options)
 {
     private double _commanded = 25000;
     private double _earlier;
@@ -43,13 +43,17 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <summary>The next sample of a path with segments moves an axis.</summary>
     public bool IsDriving => Speed > 0 || IsStopping || Target > 0;
 
-    private double Target => _commanded * SpeedRatio;
+    private double Target => (EarlyExit ?? _commanded) * SpeedRatio;
 
-    /// <summary>VS; takes effect at once, also in motion.</summary>
+    /// <summary>The exit speed of the executing segment if its ramp begins at the start of the segment, otherwise null. An exit speed of 0 is reached as late
+    /// as possible, because a path that rests earlier never reaches the end of its segment.</summary>
+    private double? EarlyExit => options.EarlyRamps && buffer.Current?.ExitSpeed is > 0 and var exit ? exit : null;
+
+    /// <summary>VS; takes effect at once, also in motion, except in a segment with a speed of its own.</summary>
     public void SetSpeed(double speed)
     {
         VectorSpeed = speed;
-        _commanded = speed;
+        if (!options.OwnEntrySpeed || buffer.Current?.EntrySpeed is null) _commanded = speed;
     }
 
     public void Clear()
@@ -71,7 +75,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         EnterSegment();
     }
 
-    public void EnterSegment() => _commanded = buffer.Current?.EntrySpeed ?? _commanded;
+    public void EnterSegment() => _commanded = buffer.Current?.EntrySpeed ?? (options.OwnEntrySpeed ? VectorSpeed : _commanded);
 
     public void SetAtRest()
     {
@@ -187,7 +191,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         var target = IsStopping ? 0 : Target;
         var ceiling = double.PositiveInfinity;
         var toEnd = segment.EndLength - travelled;
-        if (!IsStopping && segment.ExitSpeed is { } exit)
+        if (!IsStopping && EarlyExit is null && segment.ExitSpeed is { } exit)
         {
             exit *= SpeedRatio;
             if (exit <= target) ceiling = Ramp.Braking(Speed, toEnd, exit, Deceleration, dt);

@@ -3,8 +3,9 @@ using Engraver.Simulator.Values;
 namespace Engraver.Simulator.Motion;
 
 /// <summary>The segments of one sequence that are still to be executed: 511 slots (galil-dmc.md B.7).</summary>
+/// <param name="onePendingExit">True when a speed after "&gt;" is ignored while an earlier one has not been executed (B.4).</param>
 /// <remarks>The executing segment still occupies its slot, so that free slots are 511 - (segments stored - _CS) at any time (F.1).</remarks>
-internal sealed class SegmentBuffer
+internal sealed class SegmentBuffer(bool onePendingExit)
 {
     public const int Slots = 511;
     private const double ShortestSegment = 1e-3;
@@ -12,6 +13,7 @@ internal sealed class SegmentBuffer
 
     private readonly Queue<VectorSegment> _segments = new(Slots);
     private readonly double[] _frameEnd = new double[Axis.Letters.Length];
+    private VectorSegment? _pendingExit;
 
     public int FreeSlots => Slots - _segments.Count;
 
@@ -36,22 +38,38 @@ internal sealed class SegmentBuffer
             : 0;
         if (refusal != 0) throw new CommandRefusedException(refusal);
 
+        KeepOnePendingExit(segment);
         segment.StartLength = Length;
         Length += segment.Length;
         segment.PointAt(segment.Length, _frameEnd);
         _segments.Enqueue(segment);
     }
 
-    public void Drop() => _segments.Dequeue();
+    public void Drop()
+    {
+        if (_segments.Dequeue() == _pendingExit) _pendingExit = null;
+    }
 
     /// <summary>Removes the segments that have not been executed; length and end stay readable.</summary>
-    public void Abandon() => _segments.Clear();
+    public void Abandon()
+    {
+        _segments.Clear();
+        _pendingExit = null;
+    }
 
     public void Clear()
     {
-        _segments.Clear();
+        Abandon();
         Array.Clear(_frameEnd);
         Length = 0;
         IsClosed = false;
+    }
+
+    /// <summary>Removes the exit speed of a new segment while an earlier one is pending.</summary>
+    private void KeepOnePendingExit(VectorSegment segment)
+    {
+        if (!onePendingExit || segment.ExitSpeed is null) return;
+        if (_pendingExit is null) _pendingExit = segment;
+        else segment.ExitSpeed = null;
     }
 }

@@ -14,10 +14,11 @@ internal sealed class VectorPlane
     private double _secondScale = 1;
     private int _stopCode;
 
-    public VectorPlane(char letter)
+    public VectorPlane(char letter, SimulatorOptions options)
     {
         Letter = letter;
-        Profile = new PathProfile(Buffer);
+        Buffer = new SegmentBuffer(options.OnePendingExit);
+        Profile = new PathProfile(Buffer, options);
     }
 
     public char Letter { get; }
@@ -26,7 +27,7 @@ internal sealed class VectorPlane
 
     public ReadOnlySpan<Axis> Axes => _axes;
 
-    public SegmentBuffer Buffer { get; } = new();
+    public SegmentBuffer Buffer { get; }
 
     public PathProfile Profile { get; }
 

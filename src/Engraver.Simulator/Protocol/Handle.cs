@@ -11,10 +11,12 @@ internal sealed class Handle
     private readonly ICommandSink _sink;
     private readonly TextBuffer _command = new();
     private readonly TextReception _text;
+    private readonly Queue<byte> _unread = new();
     private int _length;
     private bool _quoted;
     private bool _swallowReturn;
     private bool _closeAfterReply;
+    private bool _isDecoding;
 
     public Handle(int index, int localPort, int remotePort, ICommandSink sink)
     {
@@ -57,19 +59,27 @@ internal sealed class Handle
     public Action? Disconnect { get; set; }
 
     /// <summary>A command has started and not ended: its host must still send the rest, or waits for an answer that cannot be sent.</summary>
-    public bool IsMidCommand => _length > 0 || IsReceivingText;
+    public bool IsMidCommand => _length > 0 || IsReceivingText || _isDecoding;
 
     /// <summary>Inside a download: the command gets no prompt before the end of its text.</summary>
     public bool IsReceivingText => _text.IsOpen;
 
+    /// <summary>Takes bytes from the client; bytes that arrive while a command is decoded wait for its end.</summary>
     public void Receive(ReadOnlySpan<byte> bytes)
     {
         foreach (var b in bytes)
         {
-            if (IsClosed) return;
-
-            if (_sink.ByteReceived(this, b)) Accept((char)b);
+            if (_isDecoding) _unread.Enqueue(b);
+            else Take(b);
         }
+    }
+
+    /// <summary>Executes the command whose decode time has passed, and takes the bytes that arrived in the meantime.</summary>
+    public void Resume()
+    {
+        _isDecoding = false;
+        if (!IsClosed) CompleteCommand();
+        while (!_isDecoding && _unread.TryDequeue(out var b)) Take(b);
     }
 
     public void Send(ReadOnlySpan<byte> bytes)
@@ -120,6 +130,11 @@ internal sealed class Handle
 
     public void BeginArrayDownload(Action<string> store) => _text.BeginArray(store);
 
+    private void Take(byte value)
+    {
+        if (!IsClosed && _sink.ByteReceived(this, value)) Accept((char)value);
+    }
+
     private void Accept(char c)
     {
         if (c == '\n') return;
@@ -154,8 +169,15 @@ internal sealed class Handle
         _command.Append(c);
     }
 
-    /// <summary>CR and ";" both end a command, which is executed at once; the buffer is then free for the next command (A.3).</summary>
+    /// <summary>CR and ";" both end a command, which is executed as soon as it is decoded (A.3).</summary>
     private void EndCommand()
+    {
+        if (_sink.DefersCommand(this)) _isDecoding = true;
+        else CompleteCommand();
+    }
+
+    /// <summary>Executes the command; the buffer is then free for the next command.</summary>
+    private void CompleteCommand()
     {
         var tooLong = _length > LongestCommand;
         _length = 0;

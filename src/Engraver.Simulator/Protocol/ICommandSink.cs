@@ -3,6 +3,10 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>Services of the controller for a handle: execution of its commands and accounting of their time.</summary>
 internal interface ICommandSink
 {
+    /// <summary>Called when a command is complete, before it is executed: its decode time passes. In real time the command is then deferred.</summary>
+    /// <returns>True when the handle must wait for <see cref="Handle.Resume"/>.</returns>
+    bool DefersCommand(Handle handle);
+
     /// <summary>Executes one command; returns the reply with its prompt, valid until the next command, or an empty reply when no answer is sent.</summary>
     ReadOnlySpan<char> Execute(Handle handle, ReadOnlySpan<char> text);
 

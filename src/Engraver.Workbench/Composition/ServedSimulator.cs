@@ -24,22 +24,24 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <summary>Why the record is incomplete; null if complete. Final once the simulator is disposed.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
 
-    /// <param name="profile">Speeds, accelerations and angle quantum are used as burned values, travel and homing define the switches, other fields are
-    /// ignored; null for the factory state.</param>
-    /// <param name="faults">Planned faults as JSON (docs/simulator-fidelity.md); null for none.</param>
-    /// <param name="signColumn">In messages only the sign column separates a negative number from the previous one.</param>
-    /// <exception cref="JsonException">The text is not a valid faults file.</exception>
-    public static ServedSimulator Create(double speed, MachineProfile? profile, string? faults, bool signColumn, int? serialNumber = null)
+    /// <exception cref="JsonException">The faults are not a valid faults file.</exception>
+    public static ServedSimulator Create(ServedSimulatorSettings settings)
     {
+        ArgumentNullException.ThrowIfNull(settings);
         var options = new SimulatorOptions
         {
-            Speed = speed,
+            Speed = settings.Speed,
             KeepsRecord = false,
-            Faults = faults is null ? null : FaultPlan.Parse(faults),
-            NumberSpacing = signColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
+            Faults = settings.Faults is { } faults ? FaultPlan.Parse(faults) : null,
+            EarlyRamps = settings.EarlyRamps,
+            OnePendingExit = settings.OnePendingExit,
+            OwnEntrySpeed = settings.OwnEntrySpeed,
+            DecodeTime = settings.DecodeTime,
+            NumberSpacing = settings.SignColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
         };
-        if (serialNumber is { } number) options = options with { SerialNumber = number };
-        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = BurnedFrom(profile), Switches = SimulatedSwitches.Switches(profile) });
+        if (settings.SerialNumber is { } number) options = options with { SerialNumber = number };
+        if (settings.Profile is { } profile) options = options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = BurnedFrom(profile), Switches = SimulatedSwitches.Switches(profile) };
+        return new ServedSimulator(options);
     }
 
     /// <summary>Writes every motor sample and output change to a file as CSV, and closes it when the simulator is disposed.</summary>
@@ -68,7 +70,7 @@ public sealed class ServedSimulator : IAsyncDisposable
     }
 
     /// <summary>Adds faults; one whose time has passed occurs at once.</summary>
-    /// <param name="faults">As for <see cref="Create"/>.</param>
+    /// <param name="faults">As for <see cref="ServedSimulatorSettings.Faults"/>.</param>
     /// <exception cref="JsonException">The text is not a valid faults file.</exception>
     public void Schedule(string faults)
     {

@@ -164,6 +164,49 @@ public class SimulateVerbTests
     }
 
     [Fact]
+    public async Task Each_command_takes_the_decode_time_before_its_prompt()
+    {
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start("simulate", "--speed", "max", "--decode", "2.5");
+        using var client = new TcpClient("127.0.0.1", PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token)));
+
+        for (var i = 0; i < 10; i++) Assert.Equal("::", await AskAsync(client, "x=1;x=2\r", patience.Token, prompts: 2));
+
+        // 21 times 2.5 s, and 1.6 ms each for the first 20.
+        Assert.Equal(" 52532.0000\r\n:", await AskAsync(client, "MG TIME\r", patience.Token));
+    }
+
+    [Theory]
+    [InlineData(null, 20_000, 4000)]
+    [InlineData("--early-ramps", 4000, 4000)]
+    [InlineData("--one-pending-exit", 20_000, 20_000)]
+    [InlineData("--own-entry-speed", 10_000, 4000)]
+    public async Task The_other_readings_of_speeds_at_segments_are_options(string? option, double inSecond, double atCorner)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start(["simulate", "--speed", "max", "--record", folder.PathOf("record.csv"), .. option is null ? [] : new[] { option }]);
+        using (var client = new TcpClient("127.0.0.1", PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token))))
+        {
+            foreach (var line in (string[])["VMAB", "VS 10000", "VP 20000,0<20000", "VP 40000,0>4000", "VP 60000,0>4000", "VP 80000,0", "VE", "BGS"]) await AskAsync(client, line + "\r", patience.Token);
+            while (!(await AskAsync(client, "MG _BGS\r", patience.Token)).StartsWith(" 0.", StringComparison.Ordinal)) patience.Token.ThrowIfCancellationRequested();
+        }
+
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        var places = (await File.ReadAllLinesAsync(folder.PathOf("record.csv"), patience.Token)).Skip(1).Select(row => int.Parse(row.Split(',')[1], CultureInfo.InvariantCulture)).ToList();
+        Assert.Equal(inSecond, SpeedBefore(30_000), 200.0);
+        Assert.Equal(atCorner, SpeedBefore(60_000), 2000.0);
+
+        double SpeedBefore(int place)
+        {
+            var there = places.FindIndex(a => a >= place);
+            return (places[there] - places[there - 10]) * 100.0;
+        }
+    }
+
+    [Fact]
     public async Task A_machine_profile_that_cannot_be_used_is_exit_2_with_one_sentence()
     {
         using var folder = new TemporaryFolder();

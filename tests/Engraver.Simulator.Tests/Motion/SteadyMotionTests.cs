@@ -32,6 +32,34 @@ public class SteadyMotionTests
         Assert.Equal(Csv(stepping), Csv(jumping));
     }
 
+    /// <summary>Each reading of "&lt;" and "&gt;" (galil-dmc.md B.4), alone and together.</summary>
+    [Theory]
+    [MemberData(nameof(Seeds))]
+    public async Task Jumping_and_stepping_give_the_same_rows_with_speeds_at_segments(int seed)
+    {
+        for (var switches = 0; switches < 8; switches++)
+        {
+            var options = new SimulatorOptions { EarlyRamps = (switches & 1) > 0, OnePendingExit = (switches & 2) > 0, OwnEntrySpeed = (switches & 4) > 0 };
+            var random = new Random(seed);
+            await using var jumping = new SimulatorRig(options);
+            await using var stepping = new SimulatorRig(options with { JumpsSteadyMotion = false });
+            foreach (var rig in (SimulatorRig[])[jumping, stepping]) rig.Do("VMAB", "VS 9000", "VA 200000", "VD 300000");
+
+            for (var i = 0; i < 12; i++)
+            {
+                var (segment, milliseconds) = (SegmentWithSpeeds(random) + (i == 3 ? ";BGS" : ""), i < 3 ? 0 : random.Next(700));
+                Assert.Equal(stepping.Ask(segment), jumping.Ask(segment));
+                stepping.Pass(milliseconds);
+                jumping.Pass(milliseconds);
+                Assert.Equal(stepping.Ask("MG " + Operands), jumping.Ask("MG " + Operands));
+            }
+
+            foreach (var rig in (SimulatorRig[])[jumping, stepping]) rig.Do("VE").Pass(900_000);
+            Assert.True(stepping.Controller.Status.IsIdle);
+            Assert.Equal(stepping.Controller.Record.Snapshot(), jumping.Controller.Record.Snapshot());
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Seeds))]
     public async Task A_program_is_released_in_the_same_sample(int seed)
@@ -166,6 +194,13 @@ public class SteadyMotionTests
         15 => "MG _AVS",
         _ => Sequence(random),
     };
+
+    private static string SegmentWithSpeeds(Random random)
+    {
+        var entry = random.Next(2) == 0 ? $"<{random.Next(10, 300) * 50}" : "";
+        var exit = random.Next(2) == 0 ? $">{(random.Next(8) == 0 ? 0 : random.Next(10, 300) * 50)}" : "";
+        return $"{(random.Next(6) == 0 ? $"VS {random.Next(10, 300) * 50};" : "")}VP {random.Next(-20000, 20000)},{random.Next(-20000, 20000)}{entry}{exit}";
+    }
 
     private static string Sequence(Random random)
     {
