@@ -156,7 +156,7 @@ public class MachineProfileFileTests
     [InlineData("{ \"axisZ\": \"B\", \"countsPerMillimetreZ\": 400 }", "MOT0006", 1, "axisZ to B; required: an axis other than axisY")]
     [InlineData("{ \"axisZ\": \"C\" }", "MOT0006", 0, "countsPerMillimetreZ to 0")]
     [InlineData("{ \"countsPerMillimetreZ\": 400 }", "MOT0006", 0, "axisZ to a value that is not one letter")]
-    [InlineData("{ \"sharpCornerDegrees\": -1 }", "MOT0006", 1, "sharpCornerDegrees to -1")]
+    [InlineData("{ \"accelerationX\": 100 }", "MOT0006", 1, "accelerationX to 100")]
     [InlineData("{ \"toolSettleSeconds\": 1e9 }", "MOT0006", 1, "toolSettleSeconds")]
     [InlineData("{ \"angleQuantumDegrees\": 0 }", "MOT0006", 1, "angleQuantumDegrees to 0")]
     public void What_is_wrong_is_said_with_its_line_and_its_field(string json, string id, long line, string says)
@@ -227,7 +227,7 @@ public class MachineProfileFileTests
         Assert.Contains("The travel of X is 0 to 300 mm (machine position).", meaning);
         Assert.Contains("Y has no soft limits.", meaning);
         Assert.Contains("X and Y have different counts per millimetre: arcs are cut as chords.", meaning);
-        Assert.Contains("The acceleration is 256 mm/s2: the feed is reached after 0.078 s and 0.781 mm. Corners up to 10 degrees are cut without a stop.", meaning);
+        Assert.Contains("The acceleration is 256 mm/s2: the feed is reached after 0.078 s and 0.781 mm.", meaning);
         Assert.Contains("The tool is on while output 1 is off; the machine waits 0.1 s after switching it on and 0.1 s after switching it off.", meaning);
         Assert.Contains("X is homed to the home switch, in the negative direction at 600 mm/min; the machine position there is -1 mm.", meaning);
         Assert.Contains("Named outputs: 3 = air.", meaning);

@@ -37,7 +37,7 @@ internal sealed class TinyDriver : IMachineDriver
         {
             var at = profile.Scale.ToCounts(stroke.Start);
             var lines = stroke.Moves.Select(move => (move.EntityIndex, End: profile.Scale.ToCounts(move.Segment.End))).ToList();
-            columns.Append(speed, profile.AccelerationCounts, [.. lines.Select((line, i) => Line(i == 0 ? at : lines[i - 1].End, line.End, line.EntityIndex))], changesHeight: false);
+            columns.Append(speed, profile.AccelerationCounts, [.. lines.Select((line, i) => Line(i == 0 ? at : lines[i - 1].End, line.End, line.EntityIndex) with { Move = i })], changesHeight: false);
             columns.EndStroke(stroke.Index, at);
         }
 

@@ -5,6 +5,9 @@ namespace Engraver.Core.Motion.Planning;
 /// <summary>A direction of travel in counts, length 1.</summary>
 public readonly record struct PathDirection(double X, double Y, double Z)
 {
+    /// <summary>Angle to another direction, 0 to 180 degrees.</summary>
+    public double TurnTo(PathDirection other) => 2.0 * Math.Asin(Math.Min(1.0, double.Hypot(double.Hypot(other.X - X, other.Y - Y), other.Z - Z) / 2.0)) * (180.0 / Math.PI);
+
     /// <summary>A direction in plan.</summary>
     public static PathDirection Of(Vector2D direction) => new(direction.X, direction.Y, 0.0);
 

@@ -12,7 +12,16 @@ namespace Engraver.Core.Motion.Planning;
 public sealed class SpeedPlanner
 {
     /// <summary>Parts of the largest acceleration that are tried for VA.</summary>
-    private static readonly double[] s_parts = [1.0, 0.98, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
+    private static readonly double[] s_parts = [1.0, 0.995, 0.98, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3];
+
+    /// <summary>Number of times that the search is continued halfway between the best part and those beside it.</summary>
+    private const int Refinements = 2;
+
+    /// <summary>Turns with a larger sine of their half are corners, not joints of a polygon that approximates an arc.</summary>
+    private const double SharpHalfSine = 0.17;
+
+    /// <summary>A shorter part of a segment is not divided off, counts.</summary>
+    private const double ShortestPart = 3.0;
 
     /// <summary>Speeds that differ by less are the same, counts/s.</summary>
     private const double SameSpeed = 2.0;
@@ -83,23 +92,41 @@ public sealed class SpeedPlanner
         _fastest = Math.Max(_fastest, feed);
     }
 
+    /// <summary>Limits the feed of each segment.</summary>
+    /// <param name="speeds">Counts/s.</param>
+    public void LimitTo(IReadOnlyList<int> speeds)
+    {
+        ArgumentNullException.ThrowIfNull(speeds);
+        for (var i = 0; i < Count; i++) _feeds[i] = Math.Min(_feeds[i], speeds[i]);
+    }
+
     /// <summary>Plans the segments since <see cref="Clear"/>.</summary>
     public void Plan()
     {
         Reserve();
         MeasureHolds();
-        var (best, acceleration) = (double.PositiveInfinity, 0);
-        foreach (var candidate in Candidates())
+        (Seconds, Acceleration) = (double.PositiveInfinity, 0);
+        List<int> tried = [.. Candidates().Order()];
+        tried.ForEach(Try);
+        for (var i = 0; i < Refinements && tried.Count > 1; i++)
         {
-            var seconds = Run(candidate);
-            if (!(seconds < best)) continue;
-            (best, acceleration) = (seconds, candidate);
-            (_best, _speeds) = (_speeds, _best);
+            var at = tried.IndexOf(Acceleration);
+            List<int> between = [.. new[] { at - 1, at + 1 }.Where(beside => beside >= 0 && beside < tried.Count).Select(beside => (tried[at] + tried[beside]) / 2 / _step * _step).Where(halfway => halfway >= _step && !tried.Contains(halfway)).Distinct()];
+            between.ForEach(Try);
+            tried = [.. tried.Concat(between).Order()];
         }
 
-        (Seconds, Acceleration) = (best, acceleration);
         (_speeds, _best) = (_best, _speeds);
-        SetRamps(acceleration);
+        SetRamps(Acceleration);
+    }
+
+    /// <summary>Runs the sequence with a VA, and keeps the plan if it takes less time than those before.</summary>
+    private void Try(int acceleration)
+    {
+        var seconds = Run(acceleration);
+        if (!(seconds < Seconds)) return;
+        (Seconds, Acceleration) = (seconds, acceleration);
+        (_best, _speeds) = (_speeds, _best);
     }
 
     /// <summary>What is commanded for a segment of the plan: one speed from its start, or two with a place between them.</summary>
@@ -132,9 +159,10 @@ public sealed class SpeedPlanner
             var isWhole = brake >= length - SameLength;
             (_second[i], _braking[i]) = (0, 0.0);
             if (peak - exit <= SameSpeed || isAutomatic) _first[i] = cap;
-            else if (isWhole || length < 3.0) _first[i] = target;
-            else (_first[i], _second[i], _braking[i]) = (cap, target, Math.Max(1.0, brake));
-            isBraking = peak - exit > SameSpeed && isWhole && length >= 3.0;
+            else if (brake < ShortestPart && !isWhole) _first[i] = Even(exit);
+            else if (isWhole || length < ShortestPart) _first[i] = target;
+            else (_first[i], _second[i], _braking[i]) = (cap, target, brake);
+            isBraking = peak - exit > SameSpeed && isWhole && length >= ShortestPart;
             if (!isBraking) target = 0;
         }
     }
@@ -177,6 +205,7 @@ public sealed class SpeedPlanner
         var radius = _radii[segment];
         if (!double.IsInfinity(radius) || _lengths[segment] > _feeds[segment] * _limits.MeasuredOver) return radius;
         var turn = Math.Max(_turns[segment], segment + 1 < Count ? _turns[segment + 1] : 0.0) * _limits.Total;
+        if (turn > 2.0 * SharpHalfSine) return radius;
         return turn * _fastest <= 0.02 * PathLimits.Sample * _limits.Total ? radius : _lengths[segment] / turn;
     }
 

@@ -36,7 +36,7 @@ internal sealed class JobSpeed(JobMachine machine, JobControl control)
     /// <param name="hostFeeds">The host sends the segments while they are cut: a long run of short ones has a maximum speed.</param>
     public void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds) => _most = new Lazy<double>(() => Math.Min(
         SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Max),
-        hostFeeds ? sequences.Min(sequence => FeedLimit.For(sequence.Segments, (int)(sequence.Speed * JobControl.FeedRange.Max)) / (double)sequence.Speed) : JobControl.FeedRange.Max));
+        hostFeeds ? sequences.Min(sequence => FeedLimit.Headroom([.. sequence.Segments.Select(segment => segment.Length)], sequence.Speed)) : JobControl.FeedRange.Max));
 
     /// <summary>SP of one axis under the rapid override.</summary>
     public int RapidSpeed(MachineAxis axis) => Math.Max(DmcLimits.SlowestSpeed, 2 * (int)(machine.Profile.RapidSpeed(axis) * control.RapidRatio / 2.0));

@@ -1,9 +1,8 @@
-using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The speed at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops the
+/// <summary>The speeds at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops the
 /// machine at once.</summary>
 internal static class FeedLimit
 {
@@ -15,25 +14,25 @@ internal static class FeedLimit
     /// <summary>Average time of a segment over any window, seconds.</summary>
     private const double SecondsPerSegment = 0.0025;
 
-    /// <summary>The desired speed, or the highest even one at which every window of segments takes long enough (counts/s).</summary>
-    public static int For(IReadOnlyList<VectorSegment> segments, int wanted)
+    /// <summary>The highest even speed on each segment at which every window of segments takes long enough, counts/s: the length of the window around it,
+    /// divided by that time.</summary>
+    /// <param name="lengths">Of the segments, counts.</param>
+    /// <returns>Null where the host is fast enough for any speed.</returns>
+    public static int[]? Of(IReadOnlyList<double> lengths)
     {
-        if (segments.Count <= SegmentsSentAhead) return wanted;
-        var fastest = ShortestWindow(segments) / (Window * SecondsPerSegment);
-        return fastest >= wanted ? wanted : Math.Max(DmcLimits.SlowestSpeed, 2 * (int)(fastest / 2.0));
-    }
-
-    private static double ShortestWindow(IReadOnlyList<VectorSegment> segments)
-    {
-        var length = 0.0;
-        for (var i = 0; i < Window; i++) length += segments[i].Length;
-        var shortest = length;
-        for (var i = Window; i < segments.Count; i++)
+        if (lengths.Count <= SegmentsSentAhead) return null;
+        var (speeds, window, from, to) = (new int[lengths.Count], 0.0, 0, 0);
+        for (var i = 0; i < speeds.Length; i++)
         {
-            length += segments[i].Length - segments[i - Window].Length;
-            shortest = Math.Min(shortest, length);
+            var first = Math.Clamp(i - (Window / 2), 0, lengths.Count - Window);
+            for (; to < first + Window; to++) window += lengths[to];
+            for (; from < first; from++) window -= lengths[from];
+            speeds[i] = (int)Math.Clamp(2.0 * Math.Floor(window / (Window * SecondsPerSegment) / 2.0), DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed);
         }
 
-        return shortest;
+        return speeds;
     }
+
+    /// <summary>The factor by which the planned speeds of a sequence may be raised; 1 at least.</summary>
+    public static double Headroom(IReadOnlyList<double> lengths, int speed) => Of(lengths) is { } most ? Math.Max(1.0, most.Min() / (double)speed) : double.PositiveInfinity;
 }

@@ -56,6 +56,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
+        if (style != MotionStyle.Calls && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) planner.LimitTo(sent);
         planner.Plan();
         Append();
         var end = _segments[^1].End;
@@ -112,19 +113,17 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
         for (var i = 0; i < _segments.Count; i++)
         {
             var speeds = planner.SpeedsOf(i);
-            if (speeds.Second == 0 || !Divide(i, speeds)) _planned.Add(_segments[i] with { Speed = speeds.Second == 0 ? speeds.First : speeds.Second });
+            if (speeds.Second == 0 || !Divide(i, speeds)) _planned.Add(_segments[i] with { Speed = speeds.Second == 0 ? speeds.First : speeds.FirstFor(0.0, planner.Acceleration) });
             fastest = Math.Max(fastest, _planned[^1].Speed);
             if (speeds.Second != 0) fastest = Math.Max(fastest, _planned.Count > 1 ? _planned[^2].Speed : 0);
         }
 
-        var most = FeedLimit.For(_planned, fastest);
-        if (most < fastest || _planned.TrueForAll(segment => segment.Speed == fastest))
+        if (_planned.TrueForAll(segment => segment.Speed == fastest))
         {
-            var isUniform = _planned.TrueForAll(segment => segment.Speed >= most);
-            for (var i = 0; i < _planned.Count; i++) _planned[i] = _planned[i] with { Speed = isUniform ? 0 : Math.Min(most, _planned[i].Speed) };
+            for (var i = 0; i < _planned.Count; i++) _planned[i] = _planned[i] with { Speed = 0 };
         }
 
-        columns.Append(most, planner.Acceleration, _planned, _changesHeight);
+        columns.Append(fastest, planner.Acceleration, _planned, _changesHeight);
     }
 
     private bool Divide(int index, PlannedSpeeds speeds)

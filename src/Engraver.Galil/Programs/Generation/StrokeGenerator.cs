@@ -18,6 +18,14 @@ internal sealed class StrokeGenerator
 
     private const double ShortestPiece = 8.0;
 
+    private const double StopDegrees = 10.0;
+
+    /// <summary>An arc at a corner is this much faster than the corner without it.</summary>
+    private const double LeastGain = 1.05;
+
+    /// <summary>Allowance, so that a turn of exactly the limit does not depend on the last bit.</summary>
+    private const double RoundingDegrees = 1e-6;
+
     /// <summary>What is left of an arc between two corners is not cut where it is shorter, counts.</summary>
     private const double ShortestCourse = 1.0;
 
@@ -119,14 +127,18 @@ internal sealed class StrokeGenerator
     {
         var feed = course.IsLevel ? _profile.VectorSpeed() : _slope.Of(course.Shape.End - course.Shape.Start, course.EndZ - course.StartZ);
         var next = course with { Feed = feed };
-        if (_waiting.Count > 0 && _stopsAtCorners && _style != MotionStyle.Calls && IsCorner(_waiting[^1], next)) next = next with { IsAfterStop = true };
+        if (_waiting.Count > 0 && _stopsAtCorners && _style != MotionStyle.Calls && IsSharp(_waiting[^1], next) && IsCorner(_waiting[^1], next)) next = next with { IsAfterStop = true };
         _waiting.Add(next);
         if (_waiting.Count > 2) CutFirst();
     }
 
     /// <summary>The path turns too sharply between two courses to be run at their speed.</summary>
-    private bool IsCorner(in PathCourse before, in PathCourse after) =>
-        _limits.SpeedThrough(_limits.TurnOf(before.EndDirection, after.StartDirection), Math.Min(before.Length, after.Length)) < Math.Min(before.Feed, after.Feed);
+    private bool IsCorner(in PathCourse before, in PathCourse after) => SpeedThrough(before, after) < Math.Min(before.Feed, after.Feed);
+
+    private double SpeedThrough(in PathCourse before, in PathCourse after) => _limits.SpeedThrough(_limits.TurnOf(before.EndDirection, after.StartDirection), Math.Min(before.Length, after.Length));
+
+    /// <summary>The machine stops at such a turn if corners are not rounded; a smaller one is passed as slowly as the acceleration requires.</summary>
+    private static bool IsSharp(in PathCourse before, in PathCourse after) => before.EndDirection.TurnTo(after.StartDirection) > StopDegrees + RoundingDegrees;
 
     /// <summary>Cuts the first course that waits, and the arc at the corner after it.</summary>
     private void CutFirst()
@@ -157,7 +169,9 @@ internal sealed class StrokeGenerator
 
     private bool IsRounded(int index) => _isRounding && index + 1 < _waiting.Count && IsCorner(_waiting[index], _waiting[index + 1]);
 
-    private CornerArc? Largest(in PathCourse before, in PathCourse after, (double Before, double After) most) => CornerArc.Largest(before, after, _cornerTolerance, most, DmcLimits.SmallestRadius, DmcLimits.LargestRadius);
+    /// <summary>The arc, where it is faster than the corner: chords of a curve are as fast without one.</summary>
+    private CornerArc? Largest(in PathCourse before, in PathCourse after, (double Before, double After) most) =>
+        CornerArc.Largest(before, after, _cornerTolerance, most, DmcLimits.SmallestRadius, DmcLimits.LargestRadius) is { } arc && Math.Sqrt(_limits.OnArcs * arc.Arc.Radius) > LeastGain * SpeedThrough(before, after) ? arc : null;
 
     private void Cut(in PathCourse course)
     {

@@ -32,7 +32,7 @@ public class HeightGenerationTests
     [Fact]
     public void A_change_of_slope_sharper_than_a_sharp_corner_is_one()
     {
-        var program = Generated(s_mill, Move(Toolpaths.Line(0, 0, 10, 0), -1, -1), Move(Toolpaths.Line(10, 0, 20, 0), -1, -4));
+        var program = Generated(s_mill, Move(Toolpaths.Line(0, 0, 10, 0), -1, -1), Move(Toolpaths.Line(10, 0, 20, 0), -1, -9));
 
         Assert.Equal([false, true], program.Strokes.Single().Sequences.Select(sequence => sequence.ChangesHeight));
     }

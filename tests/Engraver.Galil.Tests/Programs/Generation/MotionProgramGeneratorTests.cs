@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
@@ -79,33 +80,116 @@ public class MotionProgramGeneratorTests
     [InlineData(10.0, 1)]
     [InlineData(11.0, 2)]
     [InlineData(-11.0, 2)]
-    public void The_machine_stops_only_where_the_path_turns_by_more_than_the_profile_says(double turn, int sequences)
+    public void Without_rounding_the_machine_stops_only_where_the_path_turns_by_more_than_ten_degrees(double turn, int sequences)
     {
-        var (cos, sin) = (Math.Cos(turn * Math.PI / 180.0), Math.Sin(turn * Math.PI / 180.0));
-        var bend = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10 + (10 * cos), 10 * sin));
+        Assert.Equal(sequences, Only(Program(Bend(turn))).Sequences.Count);
+    }
 
-        Assert.Equal(sequences, Only(Program(bend)).Sequences.Count);
+    /// <summary>The largest arc within 10 counts of the corner has the radius t cos(turn / 2) / (1 - cos(turn / 2)); it is passed at v2/r = A.</summary>
+    [Theory]
+    [InlineData(90.0, 24)]
+    [InlineData(-90.0, 24)]
+    [InlineData(120.0, 10)]
+    [InlineData(30.0, 283)]
+    public void A_corner_is_rounded_by_the_largest_arc_within_the_tolerance(double turn, int radius)
+    {
+        var sequence = Assert.Single(Only(Program(Bend(turn), corner: 0.01)).Sequences);
+
+        var arc = Assert.Single(sequence.Segments, segment => segment.Kind == VectorSegmentKind.Arc);
+        Assert.Equal(radius, arc.Radius);
+        Assert.Equal(turn, arc.DeltaDegrees, 0.01);
+        Assert.InRange(sequence.SpeedOf(arc), Math.Sqrt(256000.0 * radius) - 2.0, Math.Sqrt(256000.0 * radius));
+        Assert.InRange(Distance(sequence, new CountsPoint(10000, 0)), 8.0, 11.0);
+    }
+
+    /// <summary>The jump of velocity 2 v sin(turn / 2) takes one sample at the acceleration.</summary>
+    [Theory]
+    [InlineData(150.0)]
+    [InlineData(-150.0)]
+    public void A_corner_that_no_arc_of_ten_counts_rounds_is_passed_slowly(double turn)
+    {
+        var sequence = Assert.Single(Only(Program(Bend(turn), corner: 0.01)).Sequences);
+
+        Assert.DoesNotContain(sequence.Segments, segment => segment.Kind == VectorSegmentKind.Arc);
+        var braking = Assert.Single(sequence.Segments, segment => segment.End == new CountsPoint(10000, 0));
+        Assert.InRange(sequence.SpeedOf(braking), 100, (int)(256.0 / (2.0 * Math.Sin(75.0 * Math.PI / 180.0))));
     }
 
     [Fact]
-    public void A_bend_of_pieces_around_a_count_long_is_no_corner()
+    public void A_turn_that_the_feed_allows_is_left_as_it_is()
     {
-        var places = Enumerable.Range(0, 31).Select(i => new Point2D(0.005 * Math.Sin(i * Math.PI / 20.0), 0.005 * (1 - Math.Cos(i * Math.PI / 20.0)))).ToList();
-        var bend = places.Zip(places.Skip(1), Segment.FromLine).ToArray();
+        var sequence = Assert.Single(Only(Program(Bend(0.7), corner: 0.01)).Sequences);
 
-        Assert.Single(Only(Program(Toolpaths.OfStroke(bend))).Sequences);
+        Assert.Equal((2, 20000, false), (sequence.Segments.Count, sequence.Speed, sequence.HasOwnSpeeds));
     }
 
-    /// <summary>At full feed a motor sample comes every 20 counts: it would cut the small bend on the inside, at more than the allowed distance from the
-    /// drawing.</summary>
-    [Theory]
-    [InlineData(0.006, 2)]
-    [InlineData(0.050, 1)]
-    public void A_smooth_bend_that_fits_between_two_samples_is_a_corner(double radius, int sequences)
+    /// <summary>Arcs of neighbouring corners share the side between them.</summary>
+    [Fact]
+    public void The_arcs_of_a_short_side_do_not_overlap()
     {
-        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Arc(10, radius, radius, -90, 90), Toolpaths.Line(10 + radius, radius, 10 + radius, 10));
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10.02, 0.02), Toolpaths.Line(10.02, 0.02, 20, 0.02));
 
-        Assert.Equal(sequences, Only(Program(stroke)).Sequences.Count);
+        var sequence = Assert.Single(Only(Program(stroke, corner: 0.01)).Sequences);
+
+        var arcs = sequence.Segments.Where(segment => segment.Kind == VectorSegmentKind.Arc).ToList();
+        Assert.Equal(2, arcs.Count);
+        Assert.All(arcs, arc => Assert.InRange(arc.Radius, 25, 34)); // half a side of 28.3 counts is the tangent length of 34
+        Assert.All(sequence.Segments, segment => Assert.InRange(segment.End.Y, 0, 20));
+    }
+
+    /// <summary>A line into an arc, and two arcs: the rounding arc is tangent to both.</summary>
+    [Fact]
+    public void Corners_at_arcs_are_rounded_too()
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Arc(15, 0, 5, 180, -90), Toolpaths.Arc(15, 10, 5, 270, 90));
+
+        var sequence = Assert.Single(Only(Program(stroke, corner: 0.01)).Sequences);
+
+        var (from, last) = (sequence.Start, default(Vector2D));
+        foreach (var segment in sequence.Segments)
+        {
+            var (start, end) = (SequenceKinematics.Direction(segment, from, 0.0), SequenceKinematics.Direction(segment, from, 1.0));
+            if (last != default) Assert.InRange(Math.Abs(last.TurnTo(start).Degrees), 0.0, 4.0);
+            (from, last) = (segment.End, end);
+        }
+
+        Assert.True(sequence.Segments.Count(segment => segment.Kind == VectorSegmentKind.Arc) >= 4);
+    }
+
+    [Fact]
+    public void Nothing_is_rounded_with_unequal_scales_or_for_calls()
+    {
+        var unequal = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, 500) };
+
+        Assert.All(Only(Program(Bend(90), unequal, corner: 0.01)).Sequences[0].Segments, segment => Assert.Equal(VectorSegmentKind.Line, segment.Kind));
+        Assert.Equal(2, Only(MotionProgramGenerator.Generate(Bend(90), MachineProfile.Default, new(MaxError, 0.01), null, MotionStyle.Calls).Program!).Sequences.Count);
+    }
+
+    /// <summary>A circle of 0.1 mm: VA and the speed share the acceleration.</summary>
+    [Fact]
+    public void An_arc_is_run_within_the_total_acceleration()
+    {
+        var sequence = Only(Program(Toolpaths.OfStroke(Toolpaths.Arc(0, 0, 0.1, 0, 360)))).Sequences[0];
+
+        Assert.InRange(double.Hypot(sequence.Acceleration!.Value, (double)sequence.Speed * sequence.Speed / 100.0), 0.99 * 256000, 256000);
+    }
+
+    private static Toolpath Bend(double turn)
+    {
+        var (cos, sin) = (Math.Cos(turn * Math.PI / 180.0), Math.Sin(turn * Math.PI / 180.0));
+        return Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10 + (10 * cos), 10 * sin));
+    }
+
+    private static double Distance(VectorSequence sequence, CountsPoint place)
+    {
+        var (from, nearest) = (sequence.Start, double.PositiveInfinity);
+        foreach (var segment in sequence.Segments)
+        {
+            nearest = Math.Min(nearest, new SegmentPath(from, segment).DistanceTo(new Point2D(place.X, place.Y)));
+            from = segment.End;
+        }
+
+        return nearest;
     }
 
     [Fact]
@@ -156,7 +240,7 @@ public class MotionProgramGeneratorTests
         var toAndFro = Toolpaths.OfStroke([.. Enumerable.Range(0, 500).Select(i => Toolpaths.Line(4000 * (i % 2), 0, 4000 * ((i + 1) % 2), 0))]);
         var profile = MachineProfile.Default;
 
-        var sequences = Only(Program(toAndFro, profile)).Sequences;
+        var sequences = Only(Program(toAndFro, profile, corner: 1e-6)).Sequences;
 
         Assert.Equal(2, sequences.Count);
         Assert.All(sequences, sequence => Assert.True(sequence.Length < 2e9));
@@ -259,8 +343,8 @@ public class MotionProgramGeneratorTests
     public void An_empty_toolpath_is_an_empty_program() =>
         Assert.Empty(Program(new Toolpath(new Point2D(1, 2), [])).Strokes);
 
-    private static MotionProgram Program(Toolpath toolpath, MachineProfile? profile = null) =>
-        MotionProgramGenerator.Generate(toolpath, profile ?? MachineProfile.Default, new(MaxError, 0.0), null).Program ?? throw new InvalidOperationException("The toolpath should be good.");
+    private static MotionProgram Program(Toolpath toolpath, MachineProfile? profile = null, double corner = 0.0) =>
+        MotionProgramGenerator.Generate(toolpath, profile ?? MachineProfile.Default, new(MaxError, corner), null).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
     private static MotionStroke Only(MotionProgram program) => Assert.Single(program.Strokes);
 

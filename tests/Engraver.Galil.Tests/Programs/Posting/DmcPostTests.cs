@@ -11,6 +11,9 @@ public class DmcPostTests
 {
     private static readonly MachineProfile HundredCounts = MachineProfile.Default with { Axes = MachineAxes.FromScale(100, 100) };
 
+    /// <summary>Too small for an arc of ten counts: corners are passed slowly.</summary>
+    private const double Unrounded = 1e-6;
+
     [Fact]
     public void The_papers_part_by_calls()
     {
@@ -23,7 +26,7 @@ public class DmcPostTests
             CAS;VA 256000;VD 256000
             ACA=256000;ACB=256000;DCA=256000;DCB=256000
             SPA=5000;SPB=5000
-            f=2000;seq=0
+            f=2000;va=256000;seq=0
             x=5000;y=5000;JS#RAPID
             JS#TOOLON
             x=10000;y=0;JS#LINEAR
@@ -36,21 +39,21 @@ public class DmcPostTests
             EN
             #LINEAR
             VMAB
-            VS f
+            VS f;VA va;VD va
             VP x,y
             VE
             BGS
             AMS
-            seq=seq+1
+            f=2000;va=256000;seq=seq+1
             EN
             #CIRC
             VMAB
-            VS f
+            VS f;VA va;VD va
             CR r,th,da
             VE
             BGS
             AMS
-            seq=seq+1
+            f=2000;va=256000;seq=seq+1
             EN
             #RAPID
             PAA=ox+x;PAB=oy+y
@@ -88,10 +91,10 @@ public class DmcPostTests
             ACA=256000;ACB=256000;DCA=256000;DCB=256000
             SPA=5000;SPB=5000
             PAA=ox+5000;PAB=oy+5000;BGAB;AMAB
-            VMAB;VS 2000
+            VMAB;VS 2000;VA 256000;VD 256000
             VP 10000,0
             VE;SB1;WT 100;BGS;AMS
-            VMAB;VS 2000
+            VMAB;VS 2000;VA 256000;VD 256000
             VP 0,10000;CR 5000,0,180;VP -10000,0
             VE;BGS;AMS
             CB1;WT 100
@@ -142,7 +145,7 @@ public class DmcPostTests
     [Fact]
     public void A_long_sequence_starts_when_the_buffer_is_nearly_full_and_is_fed_behind_the_guard()
     {
-        var program = Program(Sawtooth(2000), MachineProfile.Default, MotionStyle.Continuous);
+        var program = Program(Sawtooth(2000), MachineProfile.Default, MotionStyle.Continuous, Unrounded);
 
         var (buffered, started, sinceRoom) = (0, false, 0);
         foreach (var statement in Lines(DmcPost.Sequences(program, DmcPostOptions.Default).Text).TakeWhile(line => line != "EN").SelectMany(line => line.Split(';')))
@@ -199,7 +202,7 @@ public class DmcPostTests
     [InlineData(MotionStyle.Continuous)]
     public void A_stroke_longer_than_the_memory_is_cut_with_the_tool_off_and_the_entity_is_named(MotionStyle style)
     {
-        var program = Program(Sawtooth(3000), MachineProfile.Default, style);
+        var program = Program(Sawtooth(3000), MachineProfile.Default, style, Unrounded);
         var post = DmcPostOf(style)(program, DmcPostOptions.Default with { MemoryLines = 200 }, entity => new SourceRef(1000 + entity));
 
         Assert.Equal(post.Chunks.Count - 1, post.Diagnostics.Count);
@@ -211,7 +214,7 @@ public class DmcPostTests
     [Fact]
     public void A_sequence_cut_by_the_memory_goes_on_from_where_it_stopped()
     {
-        var program = Program(Sawtooth(3000), MachineProfile.Default, MotionStyle.Continuous);
+        var program = Program(Sawtooth(3000), MachineProfile.Default, MotionStyle.Continuous, Unrounded);
         var post = DmcPost.Sequences(program, DmcPostOptions.Default with { MemoryLines = 200 });
 
         var (x, y) = (0, 0);
@@ -227,8 +230,8 @@ public class DmcPostTests
         Assert.Equal((3000 * 100, 0), (x, y));
     }
 
-    private static MotionProgram Program(Toolpath toolpath, MachineProfile profile, MotionStyle style) =>
-        MotionProgramGenerator.Generate(toolpath, profile, new(0.001, 0.0), null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
+    private static MotionProgram Program(Toolpath toolpath, MachineProfile profile, MotionStyle style, double corner = 0.0) =>
+        MotionProgramGenerator.Generate(toolpath, profile, new(0.001, corner), null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
     private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, PostOutput> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
 
