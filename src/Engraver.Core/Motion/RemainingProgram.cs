@@ -1,10 +1,11 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Core.Motion;
 
 /// <summary>The rest of a motion program from a place on: a separate program, and its position in the whole one.</summary>
+/// <remarks>It keeps the planned speeds and accelerations: from rest it is nowhere faster than planned. Where it begins on an arc, the acceleration along the
+/// path is added there to that across it, at most the square root of two times the limit, as in a hold.</remarks>
 /// <param name="Program">The rest. Its first stroke may begin in the middle of the whole program's, a lead-in before the place.</param>
 /// <param name="StrokesBefore">Strokes of the whole program before the first of the rest.</param>
 /// <param name="SequencesBefore">Sequences of that stroke before the first of the rest.</param>
@@ -32,7 +33,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         ArgumentOutOfRangeException.ThrowIfNegative(leadIn);
         var (stroke, first) = StrokeOf(program, place.Segments);
         if (stroke == program.Strokes.Count) return new RemainingProgram(program with { Strokes = [] }, stroke, 0, first, 0.0);
-        var part = new RemainingStroke(program.Strokes[stroke], program.Profile, keepAngle).From(new JobPosition(place.Segments - first, place.Along), leadIn);
+        var part = new RemainingStroke(program.Strokes[stroke], keepAngle).From(new JobPosition(place.Segments - first, place.Along), leadIn);
         if (part.Stroke is null) return new RemainingProgram(program with { Strokes = [.. program.Strokes.Skip(stroke + 1)] }, stroke + 1, 0, first + SegmentsOf(program.Strokes[stroke]), 0.0);
         return new RemainingProgram(program with { Strokes = [part.Stroke, .. program.Strokes.Skip(stroke + 1)] }, stroke, part.Sequences, first + part.Segments, part.Along);
     }
@@ -54,7 +55,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
     }
 
     /// <summary>Divides one stroke in two on its path.</summary>
-    private sealed class RemainingStroke(MotionStroke stroke, MachineProfile profile, Func<double, double> keepAngle)
+    private sealed class RemainingStroke(MotionStroke stroke, Func<double, double> keepAngle)
     {
         private readonly List<(int Sequence, CountsPoint Start, VectorSegment Segment)> _segments = [.. Flat(stroke)];
 
@@ -163,7 +164,6 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
                 begin = segments[^1].End;
             }
 
-            sequences[0] = RestartedSequence.Of(sequences[0], profile);
             return stroke with { Start = start, Sequences = sequences };
         }
     }

@@ -99,7 +99,7 @@ public class StrokeTermsTests
     {
         var stroke = HeightBench.Part().Strokes[1] with { Terms = new StrokeTerms(1600, 0.5, 0.75) };
 
-        var (first, tail) = StrokeCut.Before(stroke, 3, MachineProfile.Default);
+        var (first, tail) = StrokeCut.Before(stroke, 3);
 
         Assert.Equal((new StrokeTerms(1600, 0.5, 0.0), new StrokeTerms(1600, 0.5, 0.75)), (first.Terms!, tail.Terms!));
         Assert.Equal((first.Sequences[^1].End, stroke.Index), (tail.Start, tail.Index));

@@ -18,7 +18,6 @@ namespace Engraver.Galil.Jobs.Execution;
 /// sqrt((L + A/2)^2 - L^2) counts is not noticed, where L is the length of its segments and A the allowed difference of the path length: 62 counts for 100
 /// segments of 60. A vertex farther off is.
 /// </remarks>
-/// <param name="sequence">The rest of it after its <paramref name="first"/> segments begins at rest.</param>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
     /// <summary>Free places in the buffer that are not used: one command may be in transit, and the controller's count is as old as the last poll.</summary>

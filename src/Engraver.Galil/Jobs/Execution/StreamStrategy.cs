@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Galil.Jobs.Execution;
 
@@ -19,7 +18,7 @@ internal sealed class StreamStrategy(JobMachine machine, JobLedger ledger) : ISe
         machine.Speed.LimitBy([sequence], hostFeeds: true);
         while (next < sequence.Segments.Count)
         {
-            _feed = new SequenceFeed(machine, ledger, next == 0 ? sequence : RestartedSequence.After(sequence, next, machine.Profile), next);
+            _feed = new SequenceFeed(machine, ledger, sequence, next);
             await _feed.RunAsync().ConfigureAwait(false);
             next = _feed.Next;
         }

@@ -87,7 +87,7 @@ internal sealed class ChunkPacker
         var segments = Math.Min(SegmentsOf(stroke) - 1, _room * 8);
         while (true)
         {
-            var parts = StrokeCut.Before(stroke, segments, _form.Profile);
+            var parts = StrokeCut.Before(stroke, segments);
             var lines = _form.Stroke(parts.First).Count;
             if (lines <= _room) return parts;
             segments = Math.Max(1, (int)(SegmentsOf(parts.First) * Shrink * _room / lines));

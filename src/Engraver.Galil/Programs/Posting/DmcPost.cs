@@ -39,7 +39,7 @@ public static class DmcPost
     private static PostTemplate CallsForm(MotionProgram program, DmcPostOptions options)
     {
         var ownPlunges = HasOwnPlunges(program);
-        return new PostTemplate((done, first) => CallsOpening(program, done, first, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { Profile = program.Profile, MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
+        return new PostTemplate((done, first) => CallsOpening(program, done, first, options), stroke => CallsStroke(program, stroke, FromStart(program), ownPlunges), CallsClosing(program, options)) { MaxLines = stroke => 3 + (stroke.Terms is { SetsOutputs: true } ? 1 : 0) + stroke.SegmentCount };
     }
 
     private static PostTemplate SequencesForm(MotionProgram program, DmcPostOptions options)
@@ -49,7 +49,7 @@ public static class DmcPost
         var spelling = new SequenceSyntax(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, DmcFormat.Text($"ox{place.X:+0;-0}"), DmcFormat.Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff, terms => Ready(program.Profile, terms));
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        return new PostTemplate((done, first) => Opening(program, done, first, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { Profile = program.Profile, MaxLines = SequenceWriter.MaxLines };
+        return new PostTemplate((done, first) => Opening(program, done, first, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MaxLines = SequenceWriter.MaxLines };
     }
 
     private static PostOutput Posted(MotionProgram program, PostTemplate form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
@@ -171,7 +171,4 @@ internal sealed record PostTemplate(
 {
     /// <summary>Upper bound of the number of lines of a stroke, determined without writing it.</summary>
     public required Func<MotionStroke, int> MaxLines { get; init; }
-
-    /// <summary>The machine.</summary>
-    public required MachineProfile Profile { get; init; }
 }

@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion.Planning;
 
 namespace Engraver.Galil.Programs.Posting;
 
@@ -10,14 +9,13 @@ internal static class StrokeCut
     /// moved back to a VP, after which the machine is on whole counts, so that the following arcs start exactly where they were computed.</summary>
     /// <param name="stroke">A stroke of more than one segment.</param>
     /// <param name="segments">Maximum number of segments of the first part, at least 1.</param>
-    /// <param name="profile">The machine, for the speeds of a sequence that begins in the middle of another one.</param>
-    public static (MotionStroke First, MotionStroke Tail) Before(MotionStroke stroke, int segments, MachineProfile profile)
+    public static (MotionStroke First, MotionStroke Tail) Before(MotionStroke stroke, int segments)
     {
         var whole = 0;
         var room = segments;
         while (stroke.Sequences[whole].Segments.Count <= room) room -= stroke.Sequences[whole++].Segments.Count;
         if (whole > 0) return Between(stroke, stroke.Sequences.Take(whole), stroke.Sequences.Skip(whole));
-        var (head, tail) = Inside(stroke.Sequences[0], room, profile);
+        var (head, tail) = Inside(stroke.Sequences[0], room);
         return Between(stroke, [head], stroke.Sequences.Skip(1).Prepend(tail));
     }
 
@@ -27,12 +25,12 @@ internal static class StrokeCut
         return (head, stroke with { Start = head.Sequences[^1].End, Sequences = [.. rest], Terms = stroke.Terms is { } tail ? tail with { ReadySeconds = 0.0 } : null });
     }
 
-    private static (VectorSequence Head, VectorSequence Tail) Inside(VectorSequence sequence, int room, MachineProfile profile)
+    private static (VectorSequence Head, VectorSequence Tail) Inside(VectorSequence sequence, int room)
     {
         var cut = room;
         while (cut > 1 && sequence.Segments[cut - 1].Kind != VectorSegmentKind.Line) cut--;
         if (sequence.Segments[cut - 1].Kind != VectorSegmentKind.Line) cut = room;
         var head = sequence with { Segments = [.. sequence.Segments.Take(cut)] };
-        return (head, RestartedSequence.Of(sequence with { Start = head.End, Segments = [.. sequence.Segments.Skip(cut)] }, profile));
+        return (head, sequence with { Start = head.End, Segments = [.. sequence.Segments.Skip(cut)] });
     }
 }

@@ -34,7 +34,7 @@ internal sealed class SupervisedProgram
         _profile = program.Profile;
         var (toolOn, toolOff) = SequenceSyntax.ToolOf(_profile, dryRun, HasOwnPlunges(program), height => DmcFormat.Text($"{height}"));
         var spelling = new SequenceSyntax($"CSS;{CountSequence}", "JS#CUT", place => DmcFormat.Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff, terms => dryRun ? [] : Ready(program.Profile, terms));
-        _form = new PostTemplate((_, _) => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile, HasOwnPlunges(program))) { Profile = _profile, MaxLines = SequenceWriter.MaxLines };
+        _form = new PostTemplate((_, _) => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile, HasOwnPlunges(program))) { MaxLines = SequenceWriter.MaxLines };
     }
 
     /// <summary>The smallest memory for which the job can be packed, lines.</summary>
