@@ -1,0 +1,68 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification.Corners;
+
+/// <summary>The corners of a drawing that may be rounded, and the distance of a place from their regions; none when the corner tolerance is 0.</summary>
+internal sealed class DrawnCorners
+{
+    private readonly DrawnCorner[] _corners;
+    private readonly OrientedBoxTree _tree;
+    private readonly BoxTree.Measure _measure;
+    private readonly int[] _first;
+    private readonly int[] _atPieces;
+    private long _measured;
+
+    private DrawnCorners(int pieces, DrawnCorner[] corners, (int Piece, int Corner)[] places)
+    {
+        _corners = corners;
+        _tree = OrientedBoxTree.Build([.. corners.Select(corner => corner.Box())]);
+        _measure = Measure;
+        (_first, _atPieces) = (new int[corners.Length == 0 ? 0 : pieces + 1], new int[places.Length]);
+        foreach (var (piece, _) in places) _first[piece]++;
+        for (var i = 1; i < _first.Length; i++) _first[i] += _first[i - 1];
+        foreach (var (piece, corner) in places) _atPieces[--_first[piece]] = corner;
+    }
+
+    /// <summary>True when no place may be off the drawing.</summary>
+    public bool IsEmpty => _corners.Length == 0;
+
+    /// <summary>True when there is a corner tolerance, also for a drawing without corners.</summary>
+    public bool IsUsed { get; private init; }
+
+    /// <summary>Number of corners and boxes checked so far.</summary>
+    public long Steps => _tree.Steps + _measured;
+
+    public DrawnCorner this[int corner] => _corners[corner];
+
+    public int Count => _corners.Length;
+
+    /// <param name="pieces">The drawing: ellipses and splines as their pieces.</param>
+    public static DrawnCorners Of(Segment[] pieces, TraceTolerances tolerances)
+    {
+        var (corners, places) = CornerFinder.Find(pieces, tolerances);
+        return new DrawnCorners(pieces.Length, corners, places) { IsUsed = tolerances.CornerTolerance > 0.0 };
+    }
+
+    /// <summary>The corners at the ends of a piece.</summary>
+    public ReadOnlySpan<int> At(int piece) => IsEmpty || piece < 0 ? [] : _atPieces.AsSpan(_first[piece], _first[piece + 1] - _first[piece]);
+
+    /// <summary>The corner whose region is nearest to a place; -1 when none is nearer than <paramref name="within"/>.</summary>
+    /// <param name="enough">The first corner within this distance is accepted.</param>
+    /// <param name="distance">Distance from its region, or <paramref name="within"/>.</param>
+    public int NearestTo(Point2D place, double within, double enough, out double distance)
+    {
+        distance = within;
+        if (IsEmpty) return -1;
+        var corner = _tree.Nearest(place, _measure, within, enough, out distance);
+        return distance < within ? corner : -1;
+    }
+
+    /// <summary>False when no region comes within reach of a line or an arc.</summary>
+    public bool ComesNear(in Segment path, double reach) => !IsEmpty && _tree.ComesNear(path, reach);
+
+    private double Measure(int corner, Point2D place)
+    {
+        _measured++;
+        return _corners[corner].DistanceTo(place);
+    }
+}

@@ -1,0 +1,28 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification.Corners;
+
+/// <summary>An end of a drawn piece.</summary>
+/// <param name="Place">Millimetres.</param>
+/// <param name="Along">Direction in which the piece leaves it, length 1.</param>
+/// <param name="Piece">Number of the piece.</param>
+/// <param name="IsStart">True for the start of the piece.</param>
+internal readonly record struct PieceEnd(Point2D Place, Vector2D Along, int Piece, bool IsStart)
+{
+    /// <summary>Both ends of every piece that has ends and a length.</summary>
+    public static PieceEnd[] AllOf(Segment[] pieces)
+    {
+        var ends = new List<PieceEnd>(2 * pieces.Length);
+        for (var i = 0; i < pieces.Length; i++)
+        {
+            if (pieces[i].Kind == SegmentKind.Circle || pieces[i].StartTangent is not { LengthSquared: > 0.0 } leaving) continue;
+            ends.Add(new PieceEnd(pieces[i].Start, leaving, i, true));
+            ends.Add(new PieceEnd(pieces[i].End, -pieces[i].EndTangent, i, false));
+        }
+
+        return [.. ends];
+    }
+
+    /// <summary>Left turn from this direction to that of another end, radians from -pi to pi.</summary>
+    public double LeftTurnTo(in PieceEnd other) => Math.Atan2(Along.Cross(other.Along), Along.Dot(other.Along));
+}
