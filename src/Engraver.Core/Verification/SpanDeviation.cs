@@ -83,7 +83,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         var place = path.PointAt(at);
         var nearest = index.NearEnoughTo(place, Unremarkable, out var distance);
         var (corner, deviation) = (-1, distance);
-        if (distance > Unremarkable) corner = corners.NearestTo(place, distance, 0.0, out deviation);
+        if (distance > Unremarkable) corner = corners.NearestTo(place, distance, Unremarkable, out deviation);
         if (deviation > _found.Largest) _found = _found with { Largest = deviation, At = at };
         if (corner >= 0 && deviation <= tolerances.Deviation && distance > _found.LargestAtCorner) _found = _found with { LargestAtCorner = distance };
         if (distance <= _reach) coverage.Add(nearest, path);

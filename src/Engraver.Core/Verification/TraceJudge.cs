@@ -85,7 +85,7 @@ public sealed class TraceJudge : ITraceJudge
     {
         var nearest = _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var distance);
         var deviation = distance;
-        if (distance > Math.Min(_largest, _reach) && _corners.NearestTo(sample.Place, distance, 0.0, out var fromCorner) >= 0)
+        if (distance > Math.Min(_largest, _reach) && _corners.NearestTo(sample.Place, distance, Math.Min(_largest, _reach), out var fromCorner) >= 0)
         {
             deviation = fromCorner;
             if (fromCorner <= _allowed) _largestAtCorner = Math.Max(_largestAtCorner, distance);

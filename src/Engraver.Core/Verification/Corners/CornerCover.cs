@@ -7,7 +7,8 @@ namespace Engraver.Core.Verification.Corners;
 /// <param name="drawing">Ellipses and splines as their pieces.</param>
 /// <param name="reach">Distance within which a cut covers, millimetres.</param>
 /// <param name="covered">Receives the covered parts.</param>
-internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, double reach, CoveredParts[] covered)
+/// <param name="counts">Selects the corners that count; all when null.</param>
+internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, double reach, CoveredParts[] covered, Predicate<DrawnCorner>? counts = null)
 {
     /// <summary>Places along a cut across a region.</summary>
     private const int Places = 32;
@@ -44,7 +45,7 @@ internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, doubl
             {
                 if (_cuts[corner] == _cut) continue;
                 _cuts[corner] = _cut;
-                Cover(corners[corner], path);
+                if (counts?.Invoke(corners[corner]) != false) Cover(corners[corner], path);
             }
         }
     }

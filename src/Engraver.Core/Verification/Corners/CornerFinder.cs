@@ -14,6 +14,12 @@ internal sealed class CornerFinder
     /// <summary>Ends with too short pieces that are tried before the search ends.</summary>
     private const int MaxTried = 6;
 
+    /// <summary>Part of the largest useful length of a piece from which the search ends.</summary>
+    private const double LongEnough = 0.9;
+
+    /// <summary>An arc of a smaller radius, counts, is the corner itself.</summary>
+    private const double MinRadius = 0.25;
+
     /// <summary>Turn of less than this, radians, is rounding.</summary>
     private const double MinTurn = 1e-9;
 
@@ -32,11 +38,12 @@ internal sealed class CornerFinder
 
     /// <summary>The corners, and the pieces at which each of them is to be considered.</summary>
     /// <param name="pieces">Ellipses and splines as their pieces.</param>
-    public static (DrawnCorner[] Corners, (int Piece, int Corner)[] Places) Find(Segment[] pieces, TraceTolerances tolerances)
+    /// <param name="heightOf">The height of a piece at its start (true) or end; null where heights do not count.</param>
+    public static (DrawnCorner[] Corners, (int Piece, int Corner)[] Places) Find(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf)
     {
         if (tolerances.CornerTolerance <= 0.0) return ([], []);
         var finder = new CornerFinder(pieces, tolerances);
-        var groups = EndGroup.AllOf(pieces);
+        var groups = EndGroup.AllOf(PieceEnd.AllOf(pieces, heightOf));
         foreach (var group in groups) finder.AddPairs(group, group);
         foreach (var (one, other) in EndGroup.Near(groups, finder.Joint)) finder.AddPairs(one, other);
         return ([.. finder._corners], [.. finder._places]);
@@ -86,7 +93,7 @@ internal sealed class CornerFinder
             var angle = side * end.LeftTurnTo(other);
             if (!(angle > 0.0 && angle < Math.PI) || tried++ == MaxTried) return;
             if (Add(end, other)) _places.Add((end.Piece, _corners.Count - 1));
-            if (_pieces[other.Piece].Length >= Math.Min(_pieces[end.Piece].Length, LongestContact(Math.PI - angle))) return;
+            if (_pieces[other.Piece].Length >= LongEnough * Math.Min(_pieces[end.Piece].Length, LongestContact(Math.PI - angle))) return;
         }
     }
 
@@ -106,7 +113,8 @@ internal sealed class CornerFinder
         if (turn < MinTurn || left < MinTurn) return false;
         var most = LongestContact(turn);
         var (pieces, piecesOther) = (PiecesOf(one, most, out var length), PiecesOf(other, most, out var lengthOther));
-        if (Math.Min(most, Math.Min(length, lengthOther)) * Math.Tan(turn / 4.0) < _tolerances.Count / 10.0) return false;
+        var contact = Math.Min(most, Math.Min(length, lengthOther));
+        if (contact * Math.Tan(turn / 4.0) < _tolerances.Count / 10.0 || contact * Math.Tan(left / 2.0) < MinRadius * _tolerances.Count) return false;
         var (firstMisfit, secondMisfit) = (0.0, 0.0);
         var first = SideOf(one, pieces, isInwardLeft: true, ref length, most, ref firstMisfit);
         var second = SideOf(other, piecesOther, isInwardLeft: false, ref lengthOther, most, ref secondMisfit);

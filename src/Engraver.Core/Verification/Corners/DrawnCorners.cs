@@ -8,13 +8,15 @@ internal sealed class DrawnCorners
     private readonly DrawnCorner[] _corners;
     private readonly OrientedBoxTree _tree;
     private readonly BoxTree.Measure _measure;
+    private readonly double _negligible;
     private readonly int[] _first;
     private readonly int[] _atPieces;
     private long _measured;
+    private int _last;
 
-    private DrawnCorners(int pieces, DrawnCorner[] corners, (int Piece, int Corner)[] places)
+    private DrawnCorners(int pieces, DrawnCorner[] corners, (int Piece, int Corner)[] places, double negligible)
     {
-        _corners = corners;
+        (_corners, _negligible) = (corners, negligible);
         _tree = OrientedBoxTree.Build([.. corners.Select(corner => corner.Box())]);
         _measure = Measure;
         (_first, _atPieces) = (new int[corners.Length == 0 ? 0 : pieces + 1], new int[places.Length]);
@@ -37,24 +39,32 @@ internal sealed class DrawnCorners
     public int Count => _corners.Length;
 
     /// <param name="pieces">The drawing: ellipses and splines as their pieces.</param>
-    public static DrawnCorners Of(Segment[] pieces, TraceTolerances tolerances)
+    /// <param name="heightOf">The height of a piece at its start (true) or end: only ends at one height are joined; null where heights do not count.</param>
+    public static DrawnCorners Of(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf = null)
     {
-        var (corners, places) = CornerFinder.Find(pieces, tolerances);
-        return new DrawnCorners(pieces.Length, corners, places) { IsUsed = tolerances.CornerTolerance > 0.0 };
+        var (corners, places) = CornerFinder.Find(pieces, tolerances, heightOf);
+        return new DrawnCorners(pieces.Length, corners, places, tolerances.Count / 50.0) { IsUsed = tolerances.CornerTolerance > 0.0 };
     }
 
     /// <summary>The corners at the ends of a piece.</summary>
     public ReadOnlySpan<int> At(int piece) => IsEmpty || piece < 0 ? [] : _atPieces.AsSpan(_first[piece], _first[piece + 1] - _first[piece]);
 
-    /// <summary>The corner whose region is nearest to a place; -1 when none is nearer than <paramref name="within"/>.</summary>
-    /// <param name="enough">The first corner within this distance is accepted.</param>
+    /// <summary>The corner whose region is nearest to a place; -1 when none is nearer than <paramref name="within"/>, or when that is less than a fiftieth of a
+    /// count.</summary>
+    /// <param name="enough">The first corner within this distance is accepted; a fiftieth of a count is always enough.</param>
     /// <param name="distance">Distance from its region, or <paramref name="within"/>.</param>
-    public int NearestTo(Point2D place, double within, double enough, out double distance)
+    public int NearestTo(Point2D place, double within, double enough, out double distance) => NearestBy(_measure, place, within, enough, out distance);
+
+    /// <summary>As <see cref="NearestTo"/>, by a given measure of a corner, which is never less than the distance from its region.</summary>
+    public int NearestBy(BoxTree.Measure measure, Point2D place, double within, double enough, out double distance)
     {
         distance = within;
-        if (IsEmpty) return -1;
-        var corner = _tree.Nearest(place, _measure, within, enough, out distance);
-        return distance < within ? corner : -1;
+        if (IsEmpty || within <= _negligible) return -1;
+        enough = Math.Max(enough, _negligible);
+        distance = Math.Min(within, measure(_last, place)); // of many corners in one place, the tool rounds one after the other
+        if (distance <= enough) return _last;
+        if (_tree.Nearest(place, measure, distance, enough, out distance) is >= 0 and var corner) _last = corner;
+        return distance < within ? _last : -1;
     }
 
     /// <summary>False when no region comes within reach of a line or an arc.</summary>

@@ -15,13 +15,13 @@ internal sealed record EndGroup(PieceEnd[] Ends, double[] Angles)
 
     public Point2D Place => Ends[0].Place;
 
-    public static List<EndGroup> AllOf(Segment[] pieces)
+    public static List<EndGroup> AllOf(PieceEnd[] all)
     {
-        var groups = new Dictionary<(long X, long Y), List<PieceEnd>>();
-        foreach (var end in PieceEnd.AllOf(pieces))
+        var groups = new Dictionary<(long X, long Y, long Z), List<PieceEnd>>();
+        foreach (var end in all)
         {
-            var (x, y) = ((long)Math.Round(end.Place.X / Same), (long)Math.Round(end.Place.Y / Same));
-            if (!groups.TryGetValue((x, y), out var ends)) groups[(x, y)] = ends = [];
+            var at = ((long)Math.Round(end.Place.X / Same), (long)Math.Round(end.Place.Y / Same), (long)Math.Round(end.Z / Same));
+            if (!groups.TryGetValue(at, out var ends)) groups[at] = ends = [];
             ends.Add(end);
         }
 
@@ -44,7 +44,7 @@ internal sealed record EndGroup(PieceEnd[] Ends, double[] Angles)
                     if (!cells.TryGetValue((column, row), out var others)) continue;
                     for (var k = others.Count - 1; k >= 0 && near < MaxNear; k--)
                     {
-                        if (!groups[others[k]].Place.IsNear(groups[i].Place, within)) continue;
+                        if (!groups[others[k]].IsNear(groups[i], within)) continue;
                         near++;
                         yield return (groups[i], groups[others[k]]);
                     }
@@ -66,6 +66,8 @@ internal sealed record EndGroup(PieceEnd[] Ends, double[] Angles)
         var first = FirstAbove(Math.IEEERemainder(angle, 2.0 * Math.PI));
         for (var i = 0; i < Ends.Length; i++) yield return Ends[(first + (isRising ? i : -1 - i) + (2 * Ends.Length)) % Ends.Length];
     }
+
+    private bool IsNear(EndGroup other, double within) => Place.IsNear(other.Place, within) && Math.Abs(Ends[0].Z - other.Ends[0].Z) <= within;
 
     /// <summary>The first end at a larger angle; the number of ends when there is none.</summary>
     private int FirstAbove(double angle)

@@ -4,20 +4,22 @@ namespace Engraver.Core.Verification.Corners;
 
 /// <summary>An end of a drawn piece.</summary>
 /// <param name="Place">Millimetres.</param>
+/// <param name="Z">Its height, millimetres; 0 where heights do not count.</param>
 /// <param name="Along">Direction in which the piece leaves it, length 1.</param>
 /// <param name="Piece">Number of the piece.</param>
 /// <param name="IsStart">True for the start of the piece.</param>
-internal readonly record struct PieceEnd(Point2D Place, Vector2D Along, int Piece, bool IsStart)
+internal readonly record struct PieceEnd(Point2D Place, double Z, Vector2D Along, int Piece, bool IsStart)
 {
     /// <summary>Both ends of every piece that has ends and a length.</summary>
-    public static PieceEnd[] AllOf(Segment[] pieces)
+    /// <param name="heightOf">The height of a piece at its start (true) or end; null where heights do not count.</param>
+    public static PieceEnd[] AllOf(Segment[] pieces, Func<int, bool, double>? heightOf)
     {
         var ends = new List<PieceEnd>(2 * pieces.Length);
         for (var i = 0; i < pieces.Length; i++)
         {
             if (pieces[i].Kind == SegmentKind.Circle || pieces[i].StartTangent is not { LengthSquared: > 0.0 } leaving) continue;
-            ends.Add(new PieceEnd(pieces[i].Start, leaving, i, true));
-            ends.Add(new PieceEnd(pieces[i].End, -pieces[i].EndTangent, i, false));
+            ends.Add(new PieceEnd(pieces[i].Start, heightOf?.Invoke(i, true) ?? 0.0, leaving, i, true));
+            ends.Add(new PieceEnd(pieces[i].End, heightOf?.Invoke(i, false) ?? 0.0, -pieces[i].EndTangent, i, false));
         }
 
         return [.. ends];
