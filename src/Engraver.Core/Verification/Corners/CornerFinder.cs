@@ -31,22 +31,36 @@ internal sealed class CornerFinder
 
     private readonly Segment[] _pieces;
     private readonly TraceTolerances _tolerances;
-    private readonly List<DrawnCorner> _corners = [];
+    private readonly List<(int One, int Other)> _corners = [];
+    private readonly List<OrientedBox> _boxes = [];
     private readonly List<(int Piece, int Corner)> _places = [];
 
     private CornerFinder(Segment[] pieces, TraceTolerances tolerances) => (_pieces, _tolerances) = (pieces, tolerances);
 
-    /// <summary>The corners, and the pieces at which each of them is to be considered.</summary>
+    /// <summary>Boxes around the regions of all corners.</summary>
+    public OrientedBox[] Boxes => [.. _boxes];
+
+    /// <summary>The pieces at which each corner is to be considered.</summary>
+    public IReadOnlyList<(int Piece, int Corner)> Places => _places;
+
+    /// <summary>Finds all corners.</summary>
     /// <param name="pieces">Ellipses and splines as their pieces.</param>
     /// <param name="heightOf">The height of a piece at its start (true) or end; null where heights do not count.</param>
-    public static (DrawnCorner[] Corners, (int Piece, int Corner)[] Places) Find(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf)
+    public static CornerFinder Find(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf)
     {
-        if (tolerances.CornerTolerance <= 0.0) return ([], []);
         var finder = new CornerFinder(pieces, tolerances);
-        var groups = EndGroup.AllOf(PieceEnd.AllOf(pieces, heightOf));
-        foreach (var group in groups) finder.AddPairs(group, group);
-        foreach (var (one, other) in EndGroup.Near(groups, finder.Joint)) finder.AddPairs(one, other);
-        return ([.. finder._corners], [.. finder._places]);
+        if (tolerances.CornerTolerance <= 0.0) return finder;
+        var groups = new EndGroups(PieceEnd.AllOf(pieces, heightOf));
+        foreach (var group in groups.OfSeveral()) finder.AddPairs(group, group);
+        foreach (var (one, other) in groups.Near(finder.Joint)) finder.AddPairs(one, other);
+        return finder;
+    }
+
+    /// <summary>Creates a corner that was found: a drawing can have too many to keep them all.</summary>
+    public DrawnCorner Create(int corner)
+    {
+        var (one, other) = _corners[corner];
+        return Create(PieceEnd.Of(_pieces, one / 2, one % 2 == 0), PieceEnd.Of(_pieces, other / 2, other % 2 == 0))!;
     }
 
     /// <summary>Ends within this distance can be joined, or have only a part between them that is too short to be cut.</summary>
@@ -105,24 +119,34 @@ internal sealed class CornerFinder
     /// <returns>False when it was not added.</returns>
     private bool Add(in PieceEnd one, in PieceEnd other)
     {
+        if (Create(one, other) is not { } corner) return false;
+        _corners.Add((Code(one), Code(other)));
+        _boxes.Add(corner.Box());
+        return true;
+    }
+
+    private static int Code(in PieceEnd end) => (2 * end.Piece) + (end.IsStart ? 0 : 1);
+
+    /// <summary>The corner of two ends; null when its region is too small to matter.</summary>
+    private DrawnCorner? Create(in PieceEnd one, in PieceEnd other)
+    {
         var left = one.LeftTurnTo(other);
-        if (left < 0.0) return Add(other, one);
+        if (left < 0.0) return Create(other, one);
         var turn = Math.PI - left;
         var gap = one.Place.DistanceTo(other.Place);
-        if (one.Piece == other.Piece && (one.IsStart == other.IsStart || _pieces[one.Piece].Length <= 2.0 * Joint)) return false;
-        if (turn < MinTurn || left < MinTurn) return false;
+        if (one.Piece == other.Piece && (one.IsStart == other.IsStart || _pieces[one.Piece].Length <= 2.0 * Joint)) return null;
+        if (turn < MinTurn || left < MinTurn) return null;
         var most = LongestContact(turn);
         var (pieces, piecesOther) = (PiecesOf(one, most, out var length), PiecesOf(other, most, out var lengthOther));
         var contact = Math.Min(most, Math.Min(length, lengthOther));
-        if (contact * Math.Tan(turn / 4.0) < _tolerances.Count / 10.0 || contact * Math.Tan(left / 2.0) < MinRadius * _tolerances.Count) return false;
+        if (contact * Math.Tan(turn / 4.0) < _tolerances.Count / 10.0 || contact * Math.Tan(left / 2.0) < MinRadius * _tolerances.Count) return null;
         var (firstMisfit, secondMisfit) = (0.0, 0.0);
         var first = SideOf(one, pieces, isInwardLeft: true, ref length, most, ref firstMisfit);
         var second = SideOf(other, piecesOther, isInwardLeft: false, ref lengthOther, most, ref secondMisfit);
         var circle = TangentCircle.Largest(first, second, _tolerances.CornerTolerance, length, lengthOther);
-        if (!(circle.Radius > 0.0)) return false;
+        if (!(circle.Radius > 0.0)) return null;
         var apex = one.Place + ((other.Place - one.Place) * 0.5);
-        _corners.Add(new DrawnCorner(apex, first, second, circle, (gap / 2.0) + Math.Max(firstMisfit, secondMisfit)));
-        return true;
+        return new DrawnCorner(apex, first, second, circle, (gap / 2.0) + Math.Max(firstMisfit, secondMisfit));
     }
 
     /// <summary>The piece of an end, of a curve also the next ones up to a length: where they continue smoothly.</summary>

@@ -5,7 +5,11 @@ namespace Engraver.Core.Verification.Corners;
 /// <summary>The corners of a drawing that may be rounded, and the distance of a place from their regions; none when the corner tolerance is 0.</summary>
 internal sealed class DrawnCorners
 {
-    private readonly DrawnCorner[] _corners;
+    /// <summary>Number of corners that are kept: the tool comes to one after the other.</summary>
+    private const int Kept = 256;
+
+    private readonly CornerFinder _finder;
+    private readonly (int Corner, DrawnCorner? Drawn)[] _kept;
     private readonly OrientedBoxTree _tree;
     private readonly BoxTree.Measure _measure;
     private readonly double _negligible;
@@ -14,19 +18,21 @@ internal sealed class DrawnCorners
     private long _measured;
     private int _last;
 
-    private DrawnCorners(int pieces, DrawnCorner[] corners, (int Piece, int Corner)[] places, double negligible)
+    private DrawnCorners(int pieces, CornerFinder finder, double negligible)
     {
-        (_corners, _negligible) = (corners, negligible);
-        _tree = OrientedBoxTree.Build([.. corners.Select(corner => corner.Box())]);
+        var (boxes, places) = (finder.Boxes, finder.Places);
+        (_finder, _negligible, Count) = (finder, negligible, boxes.Length);
+        _kept = new (int Corner, DrawnCorner? Drawn)[Math.Min(Kept, boxes.Length)];
+        _tree = OrientedBoxTree.Build(boxes);
         _measure = Measure;
-        (_first, _atPieces) = (new int[corners.Length == 0 ? 0 : pieces + 1], new int[places.Length]);
+        (_first, _atPieces) = (new int[boxes.Length == 0 ? 0 : pieces + 1], new int[places.Count]);
         foreach (var (piece, _) in places) _first[piece]++;
         for (var i = 1; i < _first.Length; i++) _first[i] += _first[i - 1];
         foreach (var (piece, corner) in places) _atPieces[--_first[piece]] = corner;
     }
 
     /// <summary>True when no place may be off the drawing.</summary>
-    public bool IsEmpty => _corners.Length == 0;
+    public bool IsEmpty => Count == 0;
 
     /// <summary>True when there is a corner tolerance, also for a drawing without corners.</summary>
     public bool IsUsed { get; private init; }
@@ -34,16 +40,23 @@ internal sealed class DrawnCorners
     /// <summary>Number of corners and boxes checked so far.</summary>
     public long Steps => _tree.Steps + _measured;
 
-    public DrawnCorner this[int corner] => _corners[corner];
+    public int Count { get; }
 
-    public int Count => _corners.Length;
+    public DrawnCorner this[int corner]
+    {
+        get
+        {
+            ref var kept = ref _kept[corner % Kept];
+            if (kept.Drawn is null || kept.Corner != corner) kept = (corner, _finder.Create(corner));
+            return kept.Drawn!;
+        }
+    }
 
     /// <param name="pieces">The drawing: ellipses and splines as their pieces.</param>
     /// <param name="heightOf">The height of a piece at its start (true) or end: only ends at one height are joined; null where heights do not count.</param>
     public static DrawnCorners Of(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf = null)
     {
-        var (corners, places) = CornerFinder.Find(pieces, tolerances, heightOf);
-        return new DrawnCorners(pieces.Length, corners, places, tolerances.Count / 50.0) { IsUsed = tolerances.CornerTolerance > 0.0 };
+        return new DrawnCorners(pieces.Length, CornerFinder.Find(pieces, tolerances, heightOf), tolerances.Count / 50.0) { IsUsed = tolerances.CornerTolerance > 0.0 };
     }
 
     /// <summary>The corners at the ends of a piece.</summary>
@@ -73,6 +86,6 @@ internal sealed class DrawnCorners
     private double Measure(int corner, Point2D place)
     {
         _measured++;
-        return _corners[corner].DistanceTo(place);
+        return this[corner].DistanceTo(place);
     }
 }

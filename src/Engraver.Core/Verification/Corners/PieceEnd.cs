@@ -17,13 +17,18 @@ internal readonly record struct PieceEnd(Point2D Place, double Z, Vector2D Along
         var ends = new List<PieceEnd>(2 * pieces.Length);
         for (var i = 0; i < pieces.Length; i++)
         {
-            if (pieces[i].Kind == SegmentKind.Circle || pieces[i].StartTangent is not { LengthSquared: > 0.0 } leaving) continue;
-            ends.Add(new PieceEnd(pieces[i].Start, heightOf?.Invoke(i, true) ?? 0.0, leaving, i, true));
-            ends.Add(new PieceEnd(pieces[i].End, heightOf?.Invoke(i, false) ?? 0.0, -pieces[i].EndTangent, i, false));
+            if (pieces[i].Kind == SegmentKind.Circle || pieces[i].StartTangent == default) continue;
+            ends.Add(Of(pieces, i, isStart: true) with { Z = heightOf?.Invoke(i, true) ?? 0.0 });
+            ends.Add(Of(pieces, i, isStart: false) with { Z = heightOf?.Invoke(i, false) ?? 0.0 });
         }
 
         return [.. ends];
     }
+
+    /// <summary>An end of a piece, without its height.</summary>
+    public static PieceEnd Of(Segment[] pieces, int piece, bool isStart) => isStart
+        ? new PieceEnd(pieces[piece].Start, 0.0, pieces[piece].StartTangent, piece, true)
+        : new PieceEnd(pieces[piece].End, 0.0, -pieces[piece].EndTangent, piece, false);
 
     /// <summary>Left turn from this direction to that of another end, radians from -pi to pi.</summary>
     public double LeftTurnTo(in PieceEnd other) => Math.Atan2(Along.Cross(other.Along), Along.Dot(other.Along));
