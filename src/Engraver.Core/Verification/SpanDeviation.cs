@@ -53,7 +53,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         var isWorthBounding = fromDrawing > NegligibleDeviation || fromDrawing > _reach;
         if (isWorthBounding) fromDrawing = Math.Min(fromDrawing, drawing[nearest].IsFreeCurve ? FarthestOfCurve(path, from, to, found.Distance) : FarthestDistance.FromDrawn(drawing[nearest], SegmentPart.Of(path, from, to)));
         var most = Math.Min(fromDrawing, distance + (length / 2.0));
-        if (most > NegligibleDeviation && found.Corner >= 0) most = Math.Min(most, corners[found.Corner].FarthestOf(SegmentPart.Of(path, from, to)));
+        if (most > NegligibleDeviation && found.Corner >= 0) most = Math.Min(most, Math.Max(tolerances.Count, corners[found.Corner].FarthestOf(SegmentPart.Of(path, from, to))));
         var isBeside = distance > _reach && (distance - (length / 2.0) > _reach || !ComesNear(SegmentPart.Of(path, from, to)));
         if (most <= NegligibleDeviation && (most <= _reach || isBeside) && (fromDrawing <= NegligibleDeviation || fromDrawing <= NegligibleAtCorner))
         {

@@ -12,16 +12,16 @@ internal sealed class DrawnCorners
     private readonly (int Corner, DrawnCorner? Drawn)[] _kept;
     private readonly OrientedBoxTree _tree;
     private readonly BoxTree.Measure _measure;
-    private readonly double _negligible;
+    private readonly double _count;
     private readonly int[] _first;
     private readonly int[] _atPieces;
     private long _measured;
     private int _last;
 
-    private DrawnCorners(int pieces, CornerFinder finder, double negligible)
+    private DrawnCorners(int pieces, CornerFinder finder, double count)
     {
         var (boxes, places) = (finder.Boxes, finder.Places);
-        (_finder, _negligible, Count) = (finder, negligible, boxes.Length);
+        (_finder, _count, Count) = (finder, count, boxes.Length);
         _kept = new (int Corner, DrawnCorner? Drawn)[Math.Min(Kept, boxes.Length)];
         _tree = OrientedBoxTree.Build(boxes);
         _measure = Measure;
@@ -56,27 +56,34 @@ internal sealed class DrawnCorners
     /// <param name="heightOf">The height of a piece at its start (true) or end: only ends at one height are joined; null where heights do not count.</param>
     public static DrawnCorners Of(Segment[] pieces, TraceTolerances tolerances, Func<int, bool, double>? heightOf = null)
     {
-        return new DrawnCorners(pieces.Length, CornerFinder.Find(pieces, tolerances, heightOf), tolerances.Count / 50.0) { IsUsed = tolerances.CornerTolerance > 0.0 };
+        return new DrawnCorners(pieces.Length, CornerFinder.Find(pieces, tolerances, heightOf), tolerances.Count) { IsUsed = tolerances.CornerTolerance > 0.0 };
     }
 
     /// <summary>The corners at the ends of a piece.</summary>
     public ReadOnlySpan<int> At(int piece) => IsEmpty || piece < 0 ? [] : _atPieces.AsSpan(_first[piece], _first[piece + 1] - _first[piece]);
 
-    /// <summary>The corner whose region is nearest to a place; -1 when none is nearer than <paramref name="within"/>, or when that is less than a fiftieth of a
-    /// count.</summary>
-    /// <param name="enough">The first corner within this distance is accepted; a fiftieth of a count is always enough.</param>
-    /// <param name="distance">Distance from its region, or <paramref name="within"/>.</param>
+    /// <summary>The corner whose region is nearest to a place; -1 when none is nearer than <paramref name="within"/>, or when that is at most a count: such a
+    /// place is on the drawing.</summary>
+    /// <param name="within">Distance of the place from the drawing.</param>
+    /// <param name="enough">The first corner within this distance is accepted; a count is always enough.</param>
+    /// <param name="distance">Distance from its region, at least a count; or <paramref name="within"/>.</param>
     public int NearestTo(Point2D place, double within, double enough, out double distance) => NearestBy(_measure, place, within, enough, out distance);
 
     /// <summary>As <see cref="NearestTo"/>, by a given measure of a corner, which is never less than the distance from its region.</summary>
     public int NearestBy(BoxTree.Measure measure, Point2D place, double within, double enough, out double distance)
     {
         distance = within;
-        if (IsEmpty || within <= _negligible) return -1;
-        enough = Math.Max(enough, _negligible);
+        if (IsEmpty || within <= _count) return -1;
+        enough = Math.Max(enough, _count);
         distance = Math.Min(within, measure(_last, place)); // of many corners in one place, the tool rounds one after the other
-        if (distance <= enough) return _last;
+        if (distance <= enough)
+        {
+            distance = Math.Max(distance, _count);
+            return _last;
+        }
+
         if (_tree.Nearest(place, measure, distance, enough, out distance) is >= 0 and var corner) _last = corner;
+        distance = Math.Max(distance, _count);
         return distance < within ? _last : -1;
     }
 
