@@ -78,7 +78,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
     private double Unremarkable => Math.Min(_found.Largest, _reach);
 
     /// <summary>Compares a place with the drawing; also reports the segment found there.</summary>
-    private Place Evaluate(in Segment path, double at)
+    private SpanPlace Evaluate(in Segment path, double at)
     {
         var place = path.PointAt(at);
         var nearest = index.NearEnoughTo(place, Unremarkable, out var distance);
@@ -88,7 +88,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         if (corner >= 0 && deviation <= tolerances.Deviation && distance > _found.LargestAtCorner) _found = _found with { LargestAtCorner = distance };
         if (distance <= _reach) coverage.Add(nearest, path);
         coverage.Round(nearest, path);
-        return new Place(nearest, distance, deviation, corner);
+        return new SpanPlace(nearest, distance, deviation, corner);
     }
 
     /// <summary>The same for the deviation at a corner, which decides nothing.</summary>
@@ -115,5 +115,5 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
     /// <param name="Distance">Its distance.</param>
     /// <param name="Deviation">The same, or the distance from the region of a corner if that is smaller.</param>
     /// <param name="Corner">That corner; -1 for none.</param>
-    private readonly record struct Place(int Nearest, double Distance, double Deviation, int Corner);
+    private readonly record struct SpanPlace(int Nearest, double Distance, double Deviation, int Corner);
 }

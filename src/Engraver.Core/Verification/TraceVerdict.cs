@@ -4,8 +4,8 @@ namespace Engraver.Core.Verification;
 
 /// <summary>Result of the comparison of a run with its drawing, lengths in millimetres.</summary>
 /// <param name="CuttingSamples">Number of samples with the tool on; when 0, the deviation is unknown.</param>
-/// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing, or from the region in which a corner may be rounded if that is nearer; 0 without cutting samples, infinite when the drawing is empty but a cut
-/// was made.</param>
+/// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing, or from the region in which a corner may be rounded if that is nearer; 0
+/// without cutting samples, infinite when the drawing is empty but a cut was made.</param>
 /// <param name="DeviationAt">The sample that deviates most; null without cutting samples.</param>
 /// <param name="MissingLength">Length of the drawing that was never cut.</param>
 /// <param name="MissingAt">A place in the first gap of the drawing; null when the whole drawing was cut.</param>

@@ -20,7 +20,8 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
     [JsonIgnore]
     public string Title => Name.Length > 0 ? Name : Id;
 
-    /// <summary>Largest distance from the path of its pass where a corner was rounded within the corner tolerance; null if corners may not be rounded.</summary>
+    /// <summary>Largest distance from the path of its pass where a corner was rounded within the corner tolerance; null if corners may not be
+    /// rounded.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public double? CornerDeviation { get; init; }
 

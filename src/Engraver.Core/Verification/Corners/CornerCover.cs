@@ -55,7 +55,7 @@ internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, doubl
         Steps++;
         if (PartIn(corner, path) is not var (from, to)) return;
         var steps = (int)Math.Clamp(Math.Ceiling(Places * path.Length * (to - from) / (2.0 * corner.Extent)), 1.0, Places);
-        var before = default((bool IsFirst, Foot Foot)?);
+        var before = default((bool IsFirst, SideFoot Foot)?);
         for (var i = 0; i <= steps; i++)
         {
             var place = path.PointAt(from + ((to - from) * i / steps));
@@ -77,24 +77,25 @@ internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, doubl
         return (Math.Max(0.0, foot - (half / length)), Math.Min(1.0, foot + (half / length)));
     }
 
-    private (bool IsFirst, Foot Foot)? FootOf(DrawnCorner corner, Point2D place)
+    private (bool IsFirst, SideFoot Foot)? FootOf(DrawnCorner corner, Point2D place)
     {
         if (!corner.IsNear(place, reach)) return null;
         var isFirst = corner.IsAtFirst(place);
         var side = isFirst ? corner.First : corner.Second;
-        var nearest = (Distance: double.PositiveInfinity, Foot: default(Foot));
+        var nearest = (Distance: double.PositiveInfinity, Foot: default(SideFoot));
         for (var i = 0; i < side.Pieces.Length; i++)
         {
             var (at, distance) = PerpendicularFoot.Place(drawing[side.Pieces[i]], place, double.NaN);
-            if (distance < nearest.Distance) nearest = (distance, new Foot(i, side.IsFromStart ? at : 1.0 - at));
+            if (distance < nearest.Distance) nearest = (distance, new SideFoot(i, side.IsFromStart ? at : 1.0 - at));
         }
 
         ref readonly var piece = ref drawing[side.Pieces[0]];
-        return !piece.IsFreeCurve && nearest.Foot.Share * piece.Length > 2.0 * (corner.Extent + reach) ? null : (isFirst, nearest.Foot); // of an arc that almost closes, the other end
+        var isOtherEnd = !piece.IsFreeCurve && nearest.Foot.Share * piece.Length > 2.0 * (corner.Extent + reach); // of an arc that almost closes
+        return isOtherEnd ? null : (isFirst, nearest.Foot);
     }
 
     /// <summary>From one place to the next: on the same side the part between their feet, otherwise both parts to the corner point.</summary>
-    private void Cover(DrawnCorner corner, (bool IsFirst, Foot Foot) last, (bool IsFirst, Foot Foot) next)
+    private void Cover(DrawnCorner corner, (bool IsFirst, SideFoot Foot) last, (bool IsFirst, SideFoot Foot) next)
     {
         if (last.IsFirst == next.IsFirst)
         {
@@ -106,7 +107,7 @@ internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, doubl
         Cover(next.IsFirst ? corner.First : corner.Second, default, next.Foot);
     }
 
-    private void Cover(in CornerSide side, Foot one, Foot other)
+    private void Cover(in DrawnSide side, SideFoot one, SideFoot other)
     {
         var (near, far) = one.CompareTo(other) <= 0 ? (one, other) : (other, one);
         for (var i = near.Piece; i <= far.Piece; i++)
@@ -119,8 +120,8 @@ internal sealed class CornerCover(Segment[] drawing, DrawnCorners corners, doubl
     /// <summary>A place on a side.</summary>
     /// <param name="Piece">Index among the pieces of the side.</param>
     /// <param name="Share">Fraction of the piece from the corner point on.</param>
-    private readonly record struct Foot(int Piece, double Share) : IComparable<Foot>
+    private readonly record struct SideFoot(int Piece, double Share) : IComparable<SideFoot>
     {
-        public int CompareTo(Foot other) => (Piece, Share).CompareTo((other.Piece, other.Share));
+        public int CompareTo(SideFoot other) => (Piece, Share).CompareTo((other.Piece, other.Share));
     }
 }

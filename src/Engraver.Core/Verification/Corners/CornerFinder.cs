@@ -88,7 +88,8 @@ internal sealed class CornerFinder
     /// <summary>The pairs of an end with those of many others whose regions contain the other regions.</summary>
     private void AddBest(in PieceEnd end, EndGroup others)
     {
-        var whole = Math.PI - (4.0 * Math.Atan(_tolerances.CornerTolerance / _pieces[end.Piece].Length)); // the angle at which the largest arc needs the whole piece
+        // The angle at which the largest arc needs the whole piece.
+        var whole = Math.PI - (4.0 * Math.Atan(_tolerances.CornerTolerance / _pieces[end.Piece].Length));
         var direction = Math.Atan2(end.Along.Y, end.Along.X);
         foreach (var side in (ReadOnlySpan<double>)[1.0, -1.0])
         {
@@ -169,24 +170,32 @@ internal sealed class CornerFinder
     private bool Continues(int piece, int next, int step)
     {
         var (before, after) = step > 0 ? (_pieces[piece], _pieces[next]) : (_pieces[next], _pieces[piece]);
-        return before.IsFreeCurve && after.IsFreeCurve && before.End == after.Start && before.EndTangent.Dot(after.StartTangent) > 0.0 && Math.Abs(before.EndTangent.Cross(after.StartTangent)) < Smooth;
+        if (!before.IsFreeCurve || !after.IsFreeCurve || before.End != after.Start) return false;
+        return before.EndTangent.Dot(after.StartTangent) > 0.0 && Math.Abs(before.EndTangent.Cross(after.StartTangent)) < Smooth;
     }
 
     /// <param name="length">In: the length of the pieces. Out: the length that can be a side.</param>
     /// <param name="misfit">Receives the distance of the pieces from the side.</param>
-    private CornerSide SideOf(in PieceEnd end, int[] pieces, bool isInwardLeft, ref double length, double most, ref double misfit)
+    private DrawnSide SideOf(in PieceEnd end, int[] pieces, bool isInwardLeft, ref double length, double most, ref double misfit)
     {
         var inward = isInwardLeft ? new Vector2D(-end.Along.Y, end.Along.X) : new Vector2D(end.Along.Y, -end.Along.X);
         length = Math.Min(length, most);
-        var line = new CornerSide(end.Along, inward, 0.0, pieces, end.IsStart);
+        var line = new DrawnSide(end.Along, inward, 0.0, pieces, end.IsStart);
         ref readonly var piece = ref _pieces[end.Piece];
         if (piece.Kind == SegmentKind.Line) return line;
-        var curvature = piece.IsFreeCurve ? CurvatureOf(end, PlaceAt(pieces, end.IsStart, length), inward) : (IsLeftBend(piece, end.IsStart) == isInwardLeft ? 1.0 : -1.0) / piece.Arc.Radius;
+        var curvature = piece.IsFreeCurve
+            ? CurvatureOf(end, PlaceAt(pieces, end.IsStart, length), inward)
+            : (IsLeftBend(piece, end.IsStart) == isInwardLeft ? 1.0 : -1.0) / piece.Arc.Radius;
         length = Math.Min(length, MaxSweep / Math.Abs(curvature));
         var isStraight = Math.Abs(curvature) * length * length / 2.0 < _tolerances.Count / 100.0;
         var side = isStraight ? line : line with { Curvature = curvature };
         if (isStraight) misfit = Math.Abs(curvature) * length * length / 2.0;
-        if (piece.IsFreeCurve) misfit = Math.Max(Math.Abs(side.Inside(PlaceAt(pieces, end.IsStart, length / 2.0) - end.Place)), Math.Abs(side.Inside(PlaceAt(pieces, end.IsStart, length) - end.Place)));
+        if (piece.IsFreeCurve)
+        {
+            var (half, whole) = (PlaceAt(pieces, end.IsStart, length / 2.0) - end.Place, PlaceAt(pieces, end.IsStart, length) - end.Place);
+            misfit = Math.Max(Math.Abs(side.Inside(half)), Math.Abs(side.Inside(whole)));
+        }
+
         return side;
     }
 

@@ -23,7 +23,7 @@ internal sealed class DrawnCorner
     /// <param name="second">The other side.</param>
     /// <param name="slack">Width by which the region is larger on every side: half the gap between the two drawn ends, and the distance of a curve from its
     /// arc.</param>
-    public DrawnCorner(Point2D apex, in CornerSide first, in CornerSide second, in TangentCircle circle, double slack)
+    public DrawnCorner(Point2D apex, in DrawnSide first, in DrawnSide second, in TangentCircle circle, double slack)
     {
         (Apex, First, Second, _circle, _slack) = (apex, first, second, circle, slack);
         (_centre, _contact, _contactSecond) = (apex + circle.Centre, apex + first.At(circle.First), apex + second.At(circle.Second));
@@ -33,9 +33,9 @@ internal sealed class DrawnCorner
     /// <summary>The corner point, millimetres.</summary>
     public Point2D Apex { get; }
 
-    public CornerSide First { get; }
+    public DrawnSide First { get; }
 
-    public CornerSide Second { get; }
+    public DrawnSide Second { get; }
 
     /// <summary>Length of a side inside the region.</summary>
     public double Extent => Math.Max(_circle.First, _circle.Second) + _slack;
@@ -52,7 +52,7 @@ internal sealed class DrawnCorner
     {
         var spoke = place - Apex;
         if (First.Inside(spoke) < 0.0 || Second.Inside(spoke) < 0.0)
-            return _slack == 0.0 ? double.PositiveInfinity : Math.Max(0.0, Math.Min(Side(First, _contact).DistanceTo(place), Side(Second, _contactSecond).DistanceTo(place)) - _slack);
+            return _slack == 0.0 ? double.PositiveInfinity : Math.Max(0.0, FromSides(place) - _slack);
         var fromCentre = place - _centre;
         if (_toSecond.Cross(fromCentre) >= 0.0 && fromCentre.Cross(_toFirst) >= 0.0) return Math.Max(0.0, _circle.Radius - _slack - fromCentre.Length);
         return Math.Max(0.0, Math.Min(_contact.DistanceTo(place), _contactSecond.DistanceTo(place)) - _slack);
@@ -72,20 +72,23 @@ internal sealed class DrawnCorner
     {
         var spoke = place - Apex;
         var width = reach + _slack;
-        return spoke.Length <= Extent + reach && First.Inside(spoke) >= -width && Second.Inside(spoke) >= -width && place.DistanceTo(_centre) >= _circle.Radius - width;
+        if (spoke.Length > Extent + reach) return false;
+        return First.Inside(spoke) >= -width && Second.Inside(spoke) >= -width && place.DistanceTo(_centre) >= _circle.Radius - width;
     }
 
     /// <summary>True when a place in the corner is nearer to the first side than to the second.</summary>
     public bool IsAtFirst(Point2D place) => First.Inside(place - Apex) <= Second.Inside(place - Apex);
 
+    private double FromSides(Point2D place) => Math.Min(Side(First, _contact).DistanceTo(place), Side(Second, _contactSecond).DistanceTo(place));
+
     /// <summary>Largest distance of a part from a side where it is outside, across that side.</summary>
-    private double Beside(in CornerSide side, in Segment part)
+    private double Beside(in DrawnSide side, in Segment part)
     {
         var outside = -side.LeastInside(Apex, part);
         return outside <= Rounding ? 0.0 : double.Hypot(outside, Math.Max(0.0, -FarthestDistance.LinearRange(Apex, side.Along, part).Min));
     }
 
-    private Segment Side(in CornerSide side, Point2D contact)
+    private Segment Side(in DrawnSide side, Point2D contact)
     {
         if (side.Curvature == 0.0 || contact == Apex) return Segment.FromLine(Apex, contact);
         var (centre, length) = (Apex + (side.Inward * (1.0 / side.Curvature)), contact == _contact ? _circle.First : _circle.Second);

@@ -62,7 +62,8 @@ internal sealed class EndGroups
         }
     }
 
-    private static bool AreNear(in PieceEnd one, in PieceEnd other, double within) => one.Place.IsNear(other.Place, within) && Math.Abs(one.Z - other.Z) <= within;
+    private static bool AreNear(in PieceEnd one, in PieceEnd other, double within) =>
+        one.Place.IsNear(other.Place, within) && Math.Abs(one.Z - other.Z) <= within;
 
     private EndGroup Of(int head)
     {

@@ -17,7 +17,7 @@ internal readonly record struct TangentCircle(Vector2D Centre, double Radius, do
     /// <param name="tolerance">Largest distance of the circle from the corner point.</param>
     /// <param name="longest">Largest length on the first side.</param>
     /// <param name="longestSecond">Largest length on the second side.</param>
-    public static TangentCircle Largest(CornerSide first, CornerSide second, double tolerance, double longest, double longestSecond)
+    public static TangentCircle Largest(DrawnSide first, DrawnSide second, double tolerance, double longest, double longestSecond)
     {
         var half = Math.Atan2(Math.Abs(first.Along.Cross(second.Along)), first.Along.Dot(second.Along)) / 2.0;
         var contact = Math.Min(Math.Min(longest, longestSecond), tolerance * Math.Cos(half) / (1.0 - Math.Sin(half)));
@@ -36,11 +36,12 @@ internal readonly record struct TangentCircle(Vector2D Centre, double Radius, do
         return best;
 
         TangentCircle? Allowed(double tried, in TangentCircle smaller) => Of(first, second, tried, smaller.Radius > 0.0 ? smaller : straight) is { } found
-            && found.First >= 0.0 && found.Second >= 0.0 && found.First <= longest && found.Second <= longestSecond && found.Centre.Length - tried <= tolerance ? found : null;
+            && found.First >= 0.0 && found.Second >= 0.0 && found.First <= longest && found.Second <= longestSecond
+            && found.Centre.Length - tried <= tolerance ? found : null;
     }
 
     /// <summary>The circle of a radius, by Newton's steps from one of another radius; null when there is none near it.</summary>
-    private static TangentCircle? Of(in CornerSide first, in CornerSide second, double radius, in TangentCircle near)
+    private static TangentCircle? Of(in DrawnSide first, in DrawnSide second, double radius, in TangentCircle near)
     {
         var scale = radius / near.Radius;
         var (one, other) = (near.First * scale, near.Second * scale);

@@ -4,8 +4,8 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Workbench.Machines.Runs;
 
 /// <summary>Comparison of a run with the drawing from the data of the controller or the simulator's record; null values are unknown.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing, or from the region in which a corner may be rounded: of the motors if their position error is known, otherwise of the
-/// commanded position.</param>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing, or from the region in which a corner may be rounded: of the motors if
+/// their position error is known, otherwise of the commanded position.</param>
 /// <param name="MissingLengthMm">Drawn length that was not cut; also null if the link was lost and the controller continued alone.</param>
 /// <param name="Source">"record", "polled" or "none".</param>
 public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)

@@ -9,7 +9,7 @@ namespace Engraver.Core.Verification.Corners;
 /// <param name="Curvature">1/radius, positive when it bends inward; 0 for a line.</param>
 /// <param name="Pieces">Drawn pieces, from the corner point on: one for a line or an arc, those of a curve.</param>
 /// <param name="IsFromStart">True when the pieces leave the corner point in their own direction.</param>
-internal readonly record struct CornerSide(Vector2D Along, Vector2D Inward, double Curvature, int[] Pieces, bool IsFromStart)
+internal readonly record struct DrawnSide(Vector2D Along, Vector2D Inward, double Curvature, int[] Pieces, bool IsFromStart)
 {
     /// <summary>The place at a length from the corner point, relative to it, millimetres.</summary>
     public Vector2D At(double length)
