@@ -33,10 +33,15 @@ internal sealed record OperationJson(string Id, string Name, string Kind, int To
         : [.. OperationSummary.Of(job).Select(one => new OperationJson(one.Operation.Id, one.Operation.Name, one.Operation.KindWord, one.Tool.Number, one.Feed, one.Plunge, one.Operation.Depth, one.Curves, one.Strokes, one.Passes, one.Length, one.Uncut)
         {
             Power = one.Operation.Power,
-            Measured = measured.FirstOrDefault(found => found.Id == one.Operation.Id) is { } found ? new MeasuredJson(found.MaxDeviation, found.MissingLength, found.ExtraLength, found.Feed, found.Depths) : null,
+            Measured = measured.FirstOrDefault(found => found.Id == one.Operation.Id) is { } found ? new MeasuredJson(found.MaxDeviation, found.MissingLength, found.ExtraLength, found.Feed, found.Depths) { CornerDeviation = found.CornerDeviation } : null,
         })];
 
     /// <param name="Feed">The fastest cutting speed, mm/min; null when unknown.</param>
     /// <param name="Depths">Of each pass, mm; empty without a tool axis.</param>
-    internal sealed record MeasuredJson(double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths);
+    internal sealed record MeasuredJson(double MaxDeviation, double MissingLength, double ExtraLength, double? Feed, IReadOnlyList<double?> Depths)
+    {
+        /// <summary>Where corners were rounded, mm; not written without a corner tolerance.</summary>
+        [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+        public double? CornerDeviation { get; init; }
+    }
 }

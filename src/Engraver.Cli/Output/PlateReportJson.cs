@@ -22,10 +22,13 @@ internal sealed record PlateReportJson(int Number, string Text, double X, double
 
     public double? MaxDeviation { get; init; }
 
+    /// <summary>Where corners were rounded, mm; null when unknown or without a corner tolerance.</summary>
+    public double? CornerDeviation { get; init; }
+
     public double? MissingLength { get; init; }
 
     public static PlateReportJson From(Plate plate) => new(plate.Number, plate.Values.ToString(), plate.Offset.X, plate.Offset.Y, PlateValuesJson.From(plate.Values)) { Fixture = plate.Fixture };
 
     /// <summary>A plate that was run.</summary>
-    public static PlateReportJson From(Plate plate, RunJson run) => From(plate) with { Outcome = run.Outcome, Journal = run.Journal, Seconds = run.Seconds, MaxDeviation = run.MaxDeviation, MissingLength = run.MissingLength };
+    public static PlateReportJson From(Plate plate, RunJson run) => From(plate) with { Outcome = run.Outcome, Journal = run.Journal, Seconds = run.Seconds, MaxDeviation = run.MaxDeviation, CornerDeviation = run.CornerDeviation, MissingLength = run.MissingLength };
 }

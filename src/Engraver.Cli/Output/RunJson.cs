@@ -29,6 +29,10 @@ internal sealed record RunJson
 
     public required double? MaxDeviation { get; init; }
 
+    /// <summary>Largest distance from the drawing where corners were rounded within the corner tolerance, mm; not part of <see cref="MaxDeviation"/>. Null when
+    /// unknown or without a corner tolerance.</summary>
+    public double? CornerDeviation { get; init; }
+
     public required double? MissingLength { get; init; }
 
     public required string DeviationSource { get; init; }

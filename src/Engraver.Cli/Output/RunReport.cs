@@ -24,6 +24,7 @@ internal static class RunReport
         FinalY = report.Result.FinalPosition?.Y,
         CountsPerMillimetre = Scale(job.Settings),
         MaxDeviation = report.Judgement.MaxDeviationMm,
+        CornerDeviation = report.Judgement.CornerDeviationMm,
         MissingLength = report.Judgement.MissingLengthMm,
         DeviationSource = report.Judgement.Source,
         Journal = journal,

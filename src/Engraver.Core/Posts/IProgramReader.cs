@@ -11,6 +11,9 @@ public interface IProgramReader
     /// <summary>True when the reported times are those of the machine and not only an order.</summary>
     bool ReportsTimes => false;
 
+    /// <summary>True for a format in which the posts of this program round corners within the corner tolerance.</summary>
+    bool RoundsCorners => false;
+
     /// <summary>Largest rounding of a position in the format, millimetres; it is added to the allowed deviation.</summary>
     double Rounding => 0.0;
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Verification.Corners;
 
 namespace Engraver.Core.Verification;
 
@@ -16,27 +17,31 @@ internal sealed class DrawnCoverage
     private readonly double _reach;
     private readonly CoveredParts[] _covered;
     private readonly FollowedSegment _followed;
+    private readonly CornerCover _corners;
     private readonly int[] _cuts;
     private int _cut;
+    private long _steps;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
     /// <param name="index">Index of the drawing.</param>
-    public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
+    /// <param name="corners">Corners that may be rounded.</param>
+    public DrawnCoverage(Segment[] drawing, SegmentIndex index, DrawnCorners corners, TraceTolerances tolerances)
     {
         (_drawing, _index, _tolerances, _reach, _cuts) = (drawing, index, tolerances, tolerances.Coverage, new int[drawing.Length]);
         _covered = new CoveredParts[drawing.Length];
         for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts();
         _followed = new FollowedSegment(drawing, _reach, _covered, Cover);
+        _corners = new CornerCover(drawing, corners, _reach, _covered);
     }
 
     /// <summary>Number of chords, and of pairs of a segment and a cut, that were compared.</summary>
-    public long Steps { get; private set; }
+    public long Steps => _steps + _corners.Steps;
 
     /// <summary>Adds a straight cut between two samples, or a dot.</summary>
     /// <param name="nearest">The segment nearest to its end, or a segment near enough; -1 for none.</param>
     public void AddChord(Point2D from, Point2D to, int nearest)
     {
-        Steps++;
+        _steps++;
         var chord = Segment.FromLine(from, to);
         _followed.Add(chord);
         if (nearest == _followed.Drawn) return;
@@ -51,7 +56,19 @@ internal sealed class DrawnCoverage
     public void Follow(int nearest) => _followed.Set(nearest);
 
     /// <summary>From now on <see cref="Add"/> reports a new cut.</summary>
-    public void Begin() => _cut++;
+    public void Begin()
+    {
+        _cut++;
+        _corners.Begin();
+    }
+
+    /// <summary>Adds a straight cut between two samples where it rounds a corner.</summary>
+    /// <param name="nearest">The segment nearest to its end.</param>
+    public void RoundChord(Point2D from, Point2D to, int nearest) => _corners.AddChord(from, to, nearest);
+
+    /// <summary>Adds a cut along a line or an arc where it rounds a corner; repeated calls for one cut evaluate a corner once.</summary>
+    /// <param name="nearest">The segment nearest to some part of it.</param>
+    public void Round(int nearest, in Segment path) => _corners.Add(nearest, path);
 
     /// <summary>Adds a cut along a line, or an arc of at most half a turn, of any length.</summary>
     /// <param name="drawn">A segment near some part of the cut; repeated calls for one cut evaluate it once.</param>
@@ -118,7 +135,7 @@ internal sealed class DrawnCoverage
 
     private void Cover(int drawn, in Segment cut)
     {
-        Steps++;
+        _steps++;
         SegmentCutCover.CoverAny(_drawing[drawn], cut, _reach, _covered[drawn]);
     }
 }

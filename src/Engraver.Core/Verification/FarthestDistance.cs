@@ -55,7 +55,7 @@ internal static class FarthestDistance
     private static double Sagitta(in Segment part) => part.Kind == SegmentKind.Line ? 0.0 : part.Arc.Radius * (1.0 - Math.Cos(Math.Abs(part.Arc.Sweep.Radians) / 2.0));
 
     /// <summary>Smallest and largest component of (place - origin) in a direction.</summary>
-    private static (double Min, double Max) LinearRange(Point2D origin, Vector2D direction, in Segment part)
+    public static (double Min, double Max) LinearRange(Point2D origin, Vector2D direction, in Segment part)
     {
         var (first, last) = ((part.Start - origin).Dot(direction), (part.End - origin).Dot(direction));
         var (min, max) = (Math.Min(first, last), Math.Max(first, last));
@@ -68,7 +68,7 @@ internal static class FarthestDistance
     }
 
     /// <summary>Smallest and largest distance from a point.</summary>
-    private static (double Min, double Max) RadialRange(Point2D centre, in Segment part)
+    public static (double Min, double Max) RadialRange(Point2D centre, in Segment part)
     {
         var (first, last) = (part.Start.DistanceTo(centre), part.End.DistanceTo(centre));
         var (min, max) = (Math.Min(first, last), Math.Max(first, last));

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
+using Engraver.Core.Verification.Corners;
 
 namespace Engraver.Core.Verification;
 
@@ -8,7 +9,7 @@ namespace Engraver.Core.Verification;
 /// <remarks>
 /// The drawing is cut below its heights by the depth in the machine profile; a pass before the last one runs higher by a whole multiple of the depth of a pass,
 /// which is correct but does not reach the final depth. While the tool moves straight up or down at one place, it may be at any height above the drawing there,
-/// and not below it. Not thread safe.
+/// and not below it. A corner is rounded at the height of its sides. Not thread safe.
 /// </remarks>
 public sealed class HeightJudge : ITraceJudge
 {
@@ -16,6 +17,9 @@ public sealed class HeightJudge : ITraceJudge
     private readonly TraceTolerances _tolerances;
     private readonly DrawnPieces _pieces;
     private readonly SegmentIndex _index;
+    private readonly DrawnCorners _corners;
+    private readonly CornerCover _rounded;
+    private readonly BoxTree.Measure _measureCorner;
     private readonly BoxTree.Measure _measure;
     private readonly CoveredParts[] _covered;
     private readonly bool _hasUpright;
@@ -27,6 +31,7 @@ public sealed class HeightJudge : ITraceJudge
     private (int Piece, Vector3D Place) _followed = (-1, default);
     private long _samples;
     private double _largest;
+    private double _largestAtCorner;
     private double _extra;
     private TraceSample? _worst;
 
@@ -41,6 +46,9 @@ public sealed class HeightJudge : ITraceJudge
         _pieces = DrawnPieces.Create(drawing, cutDepth);
         _index = new SegmentIndex(_pieces.Plan);
         _covered = [.. _pieces.Plan.Select(_ => new CoveredParts())];
+        _corners = DrawnCorners.Of(_pieces.Plan, tolerances, (piece, isStart) => isStart ? _pieces.From[piece] : _pieces.To[piece]);
+        _measureCorner = MeasureCorner;
+        _rounded = new CornerCover(_pieces.Plan, _corners, tolerances.Coverage, _covered, corner => Math.Abs(HeightAbove(SideBeside(corner), withPasses: false)) <= tolerances.Coverage);
         _hasUpright = Enumerable.Range(0, _pieces.Plan.Length).Any(_pieces.IsUpright);
         _measure = (piece, _) => Measure(piece).Distance;
     }
@@ -80,7 +88,7 @@ public sealed class HeightJudge : ITraceJudge
             foreach (var (from, to) in _covered[piece].Gaps().Where(gap => (gap.To - gap.From) * length >= shortest * 0.999)) AddMissing(piece, from, to, ref missing, ref first);
         }
 
-        return new TraceVerdict(_samples, _largest, _worst, missing, first, _extra);
+        return new TraceVerdict(_samples, _largest, _worst, missing, first, _extra) { CornerDeviation = _corners.IsUsed ? _largestAtCorner : null };
     }
 
     private void Judge(in TraceSample sample)
@@ -88,7 +96,14 @@ public sealed class HeightJudge : ITraceJudge
         _samples++;
         _asked = new Vector3D(sample.XMm, sample.YMm, sample.ZMm);
         _isVertical = _last is { } before && (before.Place == sample.Place || !before.Cutting); // when polled, the first sample of a plunge can be the only one
-        var nearest = Nearest(out var deviation);
+        var nearest = Nearest(out var distance);
+        var deviation = distance;
+        if (distance > Math.Min(_largest, _tolerances.Coverage) && _corners.NearestBy(_measureCorner, sample.Place, distance, 0.0, out var fromCorner) is >= 0 and var corner)
+        {
+            (nearest, deviation) = (SideBeside(_corners[corner]), fromCorner);
+            if (deviation <= _tolerances.Deviation) _largestAtCorner = Math.Max(_largestAtCorner, distance);
+        }
+
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);
         if (_isVertical && UprightAt(_asked) is { } upright) nearest = upright;
@@ -96,6 +111,25 @@ public sealed class HeightJudge : ITraceJudge
         else if (_isVertical && AtDepth() is { } level) Follow(level.Piece, level.Foot);
         else _followed = (-1, default);
     }
+
+    /// <summary>Distance of the queried place from the region of a corner at the height of the side beside it.</summary>
+    private double MeasureCorner(int corner, Point2D place)
+    {
+        var inPlan = _corners[corner].DistanceTo(place);
+        if (double.IsInfinity(inPlan)) return inPlan;
+        var above = HeightAbove(SideBeside(_corners[corner]), withPasses: true);
+        return double.Hypot(inPlan, _isVertical ? Math.Min(above, 0.0) : above);
+    }
+
+    /// <summary>The piece of a side of a corner beside the queried place.</summary>
+    private int SideBeside(DrawnCorner corner)
+    {
+        var side = corner.IsAtFirst(new Point2D(_asked.X, _asked.Y)) ? corner.First : corner.Second;
+        return side.Pieces.Length == 1 ? side.Pieces[0] : side.Pieces.MinBy(piece => _pieces.DistanceInPlan(piece, _asked));
+    }
+
+    /// <summary>Height of the queried place above a piece, or above the same piece in an earlier pass.</summary>
+    private double HeightAbove(int piece, bool withPasses) => _asked.Z - _pieces.HeightOver(piece, _asked) - (withPasses ? PassesOver(piece) : 0.0);
 
     /// <summary>The piece straight up or down at a place: a peck, the side of a tab. Elsewhere the tool may rise freely, which cuts nothing.</summary>
     private int? UprightAt(Vector3D place)
@@ -134,8 +168,16 @@ public sealed class HeightJudge : ITraceJudge
 
     private void Follow(int piece, double foot)
     {
-        if (_followed is { Piece: >= 0 } before) CoverBetween(before, (piece, _asked));
-        else Cover(piece, foot, foot);
+        if (_followed is { Piece: >= 0 } before)
+        {
+            CoverBetween(before, (piece, _asked));
+            _rounded.AddChord(new Point2D(before.Place.X, before.Place.Y), new Point2D(_asked.X, _asked.Y), piece);
+        }
+        else
+        {
+            Cover(piece, foot, foot);
+        }
+
         _followed = (piece, _asked);
     }
 
@@ -184,12 +226,15 @@ public sealed class HeightJudge : ITraceJudge
     /// <summary>Distance of the queried place from a piece, or from the same piece in an earlier pass.</summary>
     private (double Foot, double Distance, bool IsAtDepth) Measure(int piece)
     {
-        var passes = _depthPerPass is { } step ? Math.Max(0.0, Math.Round((_asked.Z - _pieces.HeightOver(piece, _asked)) / step)) * step : 0.0;
+        var passes = PassesOver(piece);
         var (foot, distance) = _pieces.Nearest(piece, _asked with { Z = _asked.Z - passes });
         if (!_isVertical) return (foot, distance, passes == 0.0);
         var (below, inPlan) = (Math.Max(0.0, _pieces.HeightOver(piece, _asked) - _asked.Z), _pieces.DistanceInPlan(piece, _asked));
         return Math.Min(distance, double.Hypot(inPlan, below)) is var free && free < distance ? (foot, free, false) : (foot, distance, passes == 0.0);
     }
+
+    /// <summary>Height of the pass of the queried place above the last pass of a piece.</summary>
+    private double PassesOver(int piece) => _depthPerPass is { } step ? Math.Max(0.0, Math.Round((_asked.Z - _pieces.HeightOver(piece, _asked)) / step)) * step : 0.0;
 
     /// <summary>A gap does not count where another piece of the drawing that coincides with this one was cut.</summary>
     private void AddMissing(int piece, double from, double to, ref double missing, ref Point2D? first)

@@ -8,6 +8,9 @@ namespace Engraver.Core.Verification;
 /// <param name="FeedMmPerMinute">The fastest cutting speed over a tenth of a second; null where no such piece was cut, and without times.</param>
 public sealed record MeasuredPass(double MaxDeviation, double MissingLength, double ExtraLength, double Depth, double? FeedMmPerMinute)
 {
+    /// <summary>Largest distance from the path where a corner was rounded within the corner tolerance; null without a corner tolerance.</summary>
+    public double? CornerDeviation { get; init; }
+
     /// <summary>Number of cutting samples with outputs other than those of the operation.</summary>
     public long OutputFaults { get; init; }
 }

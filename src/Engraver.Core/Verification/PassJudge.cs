@@ -66,7 +66,7 @@ public sealed class PassJudge : ITraceJudge
     {
         List<TraceVerdict> all = [.. _passes.Select(pass => pass.Verdict())];
         var worst = all.MaxBy(one => one.MaxDeviation);
-        return new TraceVerdict(all.Sum(one => one.CuttingSamples), worst?.MaxDeviation ?? 0.0, worst?.DeviationAt, all.Sum(one => one.MissingLength), all.Select(one => one.MissingAt).FirstOrDefault(place => place is not null), all.Sum(one => one.ExtraLength));
+        return new TraceVerdict(all.Sum(one => one.CuttingSamples), worst?.MaxDeviation ?? 0.0, worst?.DeviationAt, all.Sum(one => one.MissingLength), all.Select(one => one.MissingAt).FirstOrDefault(place => place is not null), all.Sum(one => one.ExtraLength)) { CornerDeviation = all.Max(one => one.CornerDeviation) };
     }
 
     /// <summary>What was measured of each pass; null where it was not cut in this run.</summary>
@@ -147,7 +147,7 @@ public sealed class PassJudge : ITraceJudge
         {
             if (_samples == 0) return null;
             var found = judge.Verdict();
-            return new MeasuredPass(found.MaxDeviation, found.MissingLength, found.ExtraLength, -_lowest, _fastest == 0.0 ? null : _fastest * 60.0) { OutputFaults = _outputFaults };
+            return new MeasuredPass(found.MaxDeviation, found.MissingLength, found.ExtraLength, -_lowest, _fastest == 0.0 ? null : _fastest * 60.0) { OutputFaults = _outputFaults, CornerDeviation = found.CornerDeviation };
         }
 
         /// <summary>Moves straight down and up are not the feed.</summary>

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Verification.Corners;
 
 namespace Engraver.Core.Verification;
 
@@ -16,6 +17,7 @@ public sealed class RunTraceBuilder
     private const int MaxStepsOfSpan = 500;
 
     private readonly SegmentIndex _index;
+    private readonly DrawnCorners? _corners;
     private readonly string _drawing;
     private readonly int _most;
     private readonly List<RunTracePlace> _places = [];
@@ -25,11 +27,15 @@ public sealed class RunTraceBuilder
 
     /// <param name="drawing">The drawing to cut, millimetres.</param>
     /// <param name="most">Maximum number of stored places, at least 4.</param>
-    public RunTraceBuilder(IReadOnlyList<Segment> drawing, int most = MaxPlaces)
+    /// <param name="rounding">Tolerances with a corner tolerance, if corners may be rounded: the deviation is then the distance from the drawing or from the
+    /// region of a corner.</param>
+    public RunTraceBuilder(IReadOnlyList<Segment> drawing, int most = MaxPlaces, TraceTolerances? rounding = null)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(most, 4);
         _drawing = DrawnFingerprint.Of(drawing);
-        _index = new SegmentIndex([.. CurvePieces.Split(drawing)]);
+        Segment[] pieces = [.. CurvePieces.Split(drawing)];
+        _index = new SegmentIndex(pieces);
+        _corners = rounding is null ? null : DrawnCorners.Of(pieces, rounding);
         _most = most;
     }
 
@@ -40,9 +46,11 @@ public sealed class RunTraceBuilder
     public void Add(in TraceSample sample)
     {
         var deviation = 0.0;
-        if (sample.Cutting && _index.NearEnoughTo(sample.Place, MergeTolerance(sample), out var distance) >= 0) deviation = distance;
+        if (sample.Cutting && _index.NearEnoughTo(sample.Place, MergeTolerance(sample), out var distance) >= 0) deviation = DeviationAt(sample.Place, distance);
         Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm) { Conditions = Conditions });
     }
+
+    private double DeviationAt(Point2D place, double distance) => _corners is not null && _corners.NearestTo(place, distance, 0.0, out var fromCorner) >= 0 ? fromCorner : distance;
 
     /// <summary>A place with a deviation up to this value is not stored, whatever its exact value: of the places that are merged, another one deviates
     /// more.</summary>

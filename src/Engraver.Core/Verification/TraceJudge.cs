@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Verification.Corners;
 
 namespace Engraver.Core.Verification;
 
@@ -11,11 +12,14 @@ public sealed class TraceJudge : ITraceJudge
     private const int MaxStepsOfChord = 64;
 
     private readonly SegmentIndex _index;
+    private readonly DrawnCorners _corners;
     private readonly SpanDeviation _spans;
     private readonly DrawnCoverage _coverage;
     private readonly double _reach;
+    private readonly double _allowed;
     private long _samples;
     private double _largest;
+    private double _largestAtCorner;
     private double _extra;
     private TraceSample? _worst;
     private TraceSample? _last;
@@ -28,14 +32,15 @@ public sealed class TraceJudge : ITraceJudge
     {
         ArgumentNullException.ThrowIfNull(tolerances);
         Segment[] pieces = [.. CurvePieces.Split(drawing)];
-        _reach = tolerances.Coverage;
+        (_reach, _allowed) = (tolerances.Coverage, tolerances.Deviation);
         _index = new SegmentIndex(pieces);
-        _coverage = new DrawnCoverage(pieces, _index, tolerances);
-        _spans = new SpanDeviation(pieces, _index, _coverage, tolerances);
+        _corners = DrawnCorners.Of(pieces, tolerances);
+        _coverage = new DrawnCoverage(pieces, _index, _corners, tolerances);
+        _spans = new SpanDeviation(pieces, _index, _corners, _coverage, tolerances);
     }
 
     /// <summary>Number of segments and boxes checked so far.</summary>
-    internal long Steps => _index.Steps + _coverage.Steps;
+    internal long Steps => _index.Steps + _corners.Steps + _coverage.Steps;
 
     /// <summary>Adds a machine position; between two consecutive cutting samples the machine moved straight.</summary>
     public void Add(in TraceSample sample)
@@ -56,11 +61,12 @@ public sealed class TraceJudge : ITraceJudge
         {
             _samples += span.Samples;
             Judge(span.At(0.0));
-            var found = _spans.Measure(span, _largest, _extra);
+            var found = _spans.Measure(span, _largest, _largestAtCorner, _extra);
             if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
+            _largestAtCorner = found.LargestAtCorner;
             _extra += found.Extra;
             _coverage.Follow(_index.NearEnoughTo(span.Path.End, _reach, out var atEnd));
-            _wasOff = atEnd > _reach;
+            _wasOff = atEnd > _reach && !(_corners.NearestTo(span.Path.End, atEnd, _reach, out var fromCorner) >= 0 && fromCorner <= _reach);
         }
 
         _last = span.At(1.0);
@@ -72,18 +78,29 @@ public sealed class TraceJudge : ITraceJudge
     public TraceVerdict Verdict()
     {
         var (missing, at) = _coverage.Missing(_largest);
-        return new TraceVerdict(_samples, _largest, _worst, missing, at, _extra);
+        return new TraceVerdict(_samples, _largest, _worst, missing, at, _extra) { CornerDeviation = _corners.IsUsed ? _largestAtCorner : null };
     }
 
     private void Judge(in TraceSample sample)
     {
-        var nearest = _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
+        var nearest = _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var distance);
+        var deviation = distance;
+        if (distance > Math.Min(_largest, _reach) && _corners.NearestTo(sample.Place, distance, Math.Min(_largest, _reach), out var fromCorner) >= 0)
+        {
+            deviation = fromCorner;
+            if (fromCorner <= _allowed) _largestAtCorner = Math.Max(_largestAtCorner, distance);
+        }
+
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         var isOff = deviation > _reach;
         if (_last is { Cutting: true } before)
         {
             if (isOff || _wasOff) _extra += before.Place.DistanceTo(sample.Place);
-            if (before.Place != sample.Place) AddChord(before.Place, sample.Place, nearest);
+            if (before.Place != sample.Place)
+            {
+                AddChord(before.Place, sample.Place, nearest);
+                _coverage.RoundChord(before.Place, sample.Place, nearest);
+            }
         }
         else
         {

@@ -13,6 +13,13 @@ public sealed record TraceTolerances
     /// <summary>Largest distance of a cutting sample from the drawing.</summary>
     public double Deviation => (2.5 * Count) + MaxError;
 
+    /// <summary>Largest distance from a drawn corner at which an arc may round it (see <see cref="Corners.DrawnCorner"/>); 0 where corners are not
+    /// rounded.</summary>
+    public double CornerTolerance { get; init; }
+
+    /// <summary>Largest gap between two drawn ends that are joined to a corner.</summary>
+    public double JoinTolerance { get; init; }
+
     /// <summary>Distance by which a chord between two samples cuts a corner: chord squared / (8 x radius), here 20 mm/s at 1 ms on a radius of 0.1
     /// mm.</summary>
     public double ChordSagitta { get; init; } = 0.0005;

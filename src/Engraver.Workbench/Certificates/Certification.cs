@@ -70,6 +70,7 @@ public static class Certification
             Fonts = job.Fonts,
             Ok = report.Ok,
             MaxDeviation = report.MaxDeviationMm,
+            CornerDeviation = report.CornerDeviationMm,
             Tolerance = report.ToleranceMm,
             MissingLength = report.MissingLengthMm,
             ExtraLength = report.ExtraLengthMm,

@@ -36,6 +36,11 @@ public sealed record JobCertificate
     /// <summary>Largest distance between cut and drawing; null when nothing was cut.</summary>
     public required double? MaxDeviation { get; init; }
 
+    /// <summary>Largest distance between cut and drawing where corners are rounded within the corner tolerance; left out where they may not be
+    /// rounded.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public double? CornerDeviation { get; init; }
+
     /// <summary>The allowed deviation.</summary>
     public required double Tolerance { get; init; }
 

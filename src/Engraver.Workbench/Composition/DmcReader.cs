@@ -22,6 +22,8 @@ public sealed class DmcReader : IProgramReader
 
     public bool ReportsTimes => true;
 
+    public bool RoundsCorners => true;
+
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {

@@ -30,6 +30,9 @@ internal sealed class MotorJudge(Func<ITraceJudge> drawing)
     /// <summary>Largest deviation from the drawing while cutting with a following error; 0 if there was none.</summary>
     public double Deviation => Verdict?.MaxDeviation ?? 0.0;
 
+    /// <summary>The same where corners were rounded within the corner tolerance.</summary>
+    public double CornerDeviation => Verdict?.CornerDeviation ?? 0.0;
+
     public Point2D? DeviationAt => Verdict?.DeviationAt?.Place;
 
     private TraceVerdict? Verdict => _places?.Verdict();

@@ -20,6 +20,11 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
     [JsonIgnore]
     public string Title => Name.Length > 0 ? Name : Id;
 
+    /// <summary>Largest distance from the path of its pass where a corner was rounded within the corner tolerance; null if corners may not be
+    /// rounded.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public double? CornerDeviation { get; init; }
+
     /// <summary>Number of cutting samples with outputs other than those of the operation; null for none.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public long? OutputFaults { get; init; }
@@ -29,6 +34,7 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
     internal MeasuredOperation With(MeasuredOperation later) => this with
     {
         MaxDeviation = Math.Max(MaxDeviation, later.MaxDeviation),
+        CornerDeviation = CornerDeviation > later.CornerDeviation || later.CornerDeviation is null ? CornerDeviation : later.CornerDeviation,
         MissingLength = MissingLength + later.MissingLength,
         ExtraLength = ExtraLength + later.ExtraLength,
         Feed = Feed > later.Feed || later.Feed is null ? Feed : later.Feed,
@@ -44,6 +50,6 @@ public sealed record MeasuredOperation(string Id, string Name, string Kind, int 
         var cut = passes.OfType<MeasuredPass>().ToList();
         return cut.Count == 0 ? null : new MeasuredOperation(
             operation.Id, operation.Name, operation.KindWord, operation.Tool, cut.Max(pass => pass.MaxDeviation), cut.Sum(pass => pass.MissingLength), cut.Sum(pass => pass.ExtraLength),
-            cut.Max(pass => pass.FeedMmPerMinute), hasHeights ? [.. passes.Select(pass => pass?.Depth)] : []) { OutputFaults = cut.Sum(pass => pass.OutputFaults) is > 0 and var faults ? faults : null };
+            cut.Max(pass => pass.FeedMmPerMinute), hasHeights ? [.. passes.Select(pass => pass?.Depth)] : []) { OutputFaults = cut.Sum(pass => pass.OutputFaults) is > 0 and var faults ? faults : null, CornerDeviation = cut.Max(pass => pass.CornerDeviation) };
     }
 }

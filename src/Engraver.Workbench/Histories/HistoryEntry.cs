@@ -78,6 +78,9 @@ public sealed record HistoryEntry
 
     public double? MissingLength { get; init; }
 
+    /// <summary>Largest deviation where corners were rounded, millimetres; null when unknown or without a corner tolerance.</summary>
+    public double? CornerDeviation { get; init; }
+
     /// <summary>What was measured of each operation; null without operations, and where it is unknown.</summary>
     public IReadOnlyList<MeasuredOperation>? Operations { get; init; }
 
@@ -144,6 +147,7 @@ public sealed record HistoryEntry
             PlannedSeconds = report.PlannedSeconds,
             MaxDeviation = report.Judgement.MaxDeviationMm,
             MissingLength = report.Judgement.MissingLengthMm,
+            CornerDeviation = report.Judgement.CornerDeviationMm,
             Operations = report.Judgement.Operations.Count == 0 ? null : report.Judgement.Operations,
             OpenLoop = report.Judgement.MaxDeviationMm is null || report.CommandedOnly.Count == 0 ? null : report.CommandedOnly,
         };

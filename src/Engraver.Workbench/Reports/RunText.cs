@@ -32,6 +32,7 @@ public static class RunText
         if (judgement.MaxDeviationMm is not { } deviation) return [Wording.Get("RunText.CutUnknown")];
         var isOpenLoop = openLoop.Count > 0;
         List<string> findings = [Wording.Get(judgement.Source == "record" ? "RunText.DeviationOfSimulatedMotors" : judgement.FollowingMm is not null && !isOpenLoop ? "RunText.DeviationOfMotors" : isOpenLoop ? "RunText.DeviationOfCommandedPositions" : "RunText.DeviationOfPolledPositions", deviation)];
+        if (judgement.CornerDeviationMm is { } corner && corner > deviation) findings.Add(Wording.Get("RunText.CornerDeviation", corner));
         if ((report.ToleranceMm, judgement.FollowingMm) is ({ } tolerance, { } following and > 0.0)) findings.Add(Wording.Get("RunText.ToleranceWithFollowingError", tolerance, following));
         findings.Add(judgement.MissingLengthMm switch
         {

@@ -62,10 +62,11 @@ public static class ProgramVerification
         return finding is null ? report : report with { Ok = false, Diagnostics = [.. report.Diagnostics, finding] };
     }
 
-    /// <summary>A format with a coarser resolution than the machine is allowed its rounding error.</summary>
+    /// <summary>A format with a coarser resolution than the machine is allowed its rounding error; corners are rounded in some formats only.</summary>
     private static TraceTolerances TolerancesOf(PreparedJob job, IProgramReader reader)
     {
         var usual = RunJudge.Tolerances(job);
+        if (!reader.RoundsCorners) usual = usual with { CornerTolerance = 0.0 };
         return reader.Rounding <= usual.Deviation - usual.MaxError ? usual : usual with { Count = usual.Count * reader.Rounding / (usual.Deviation - usual.MaxError) };
     }
 
@@ -82,7 +83,7 @@ public static class ProgramVerification
         var deviation = found.CuttingSamples == 0 || !double.IsFinite(found.MaxDeviation) ? (double?)null : found.MaxDeviation;
         var allowed = tolerance + (!isBridged ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
         var ok = findings.Count == 0 && judged.ExtraLength == 0.0 && !job.Drawing.HasErrors;
-        return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
+        return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings) { CornerDeviationMm = found.CuttingSamples == 0 ? null : found.CornerDeviation };
     }
 
     /// <remarks>A missing length below the allowed deviation is not an error: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>

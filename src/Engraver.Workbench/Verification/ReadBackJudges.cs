@@ -30,14 +30,15 @@ internal sealed class ReadBackJudges
     {
         var (machine, isInSpace) = (job.Settings.CuttingMachine, reader.ReportsHeights && job.Settings.CuttingMachine.Height is not null);
         (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
+        var inSpace = RunJudge.Tolerances(job) with { CornerTolerance = tolerances.CornerTolerance };
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
-        _operations = OperationJudge.Of(job, null, isInSpace ? RunJudge.Tolerances(job) : tolerances, isInSpace);
+        _operations = OperationJudge.Of(job, null, isInSpace ? inSpace : tolerances, isInSpace);
         if (job.Settings.Operations is { } plan && job.Sections is { Count: > 0 } sections) _strokes = new StrokeRequirements(job.Toolpath, new PostOperations(plan, sections), machine.FeedMmPerMinute, (2.0 * tolerances.Deviation) + NearStroke);
         _length = reader.ReportsTimes || (isInSpace && _strokes is null) ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0, isWhole: _strokes is not null);
         _pace = reader.ReportsTimes && machine.Height is null ? new ScheduleJudge() : null;
         Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.ReportsHeights ? machine.Height?.PlungeMmPerMinute : null);
         Terms = new RequirementsJudge(posted.Terms);
-        ITraceJudge JudgeOf(IReadOnlyList<StrokeMove> besides) => isInSpace ? RunJudge.JudgeOf(job, besides) : RunJudge.PlanJudgeOf(job, besides, tolerances);
+        ITraceJudge JudgeOf(IReadOnlyList<StrokeMove> besides) => isInSpace ? RunJudge.JudgeOf(job, besides, inSpace) : RunJudge.PlanJudgeOf(job, besides, tolerances);
     }
 
     public FeedJudge Feeds { get; }

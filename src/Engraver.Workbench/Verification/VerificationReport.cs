@@ -15,6 +15,10 @@ namespace Engraver.Workbench.Verification;
 public sealed record VerificationReport(
     double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics)
 {
+    /// <summary>Largest distance of a cut from the drawing where it rounds a corner within the corner tolerance, which is not part of
+    /// <see cref="MaxDeviationMm"/>; null if nothing is cut or corners may not be rounded.</summary>
+    public double? CornerDeviationMm { get; init; }
+
     /// <summary>The slowest cutting feed in the program, mm/min; null if its format has no feed.</summary>
     public double? SlowestMmPerMinute { get; init; }
 

@@ -15,7 +15,7 @@ public class CertifyVerbTests
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         Assert.Equal(run.Out, await File.ReadAllTextAsync(folder.PathOf("part.certificate.json")));
         Assert.Equal(
-            ["version", "issued", "issuedBy", "drawing", "program", "settings", "profile", "ok", "maxDeviation", "tolerance", "missingLength", "extraLength", "limits", "plannedSeconds", "findings", "fonts"],
+            ["version", "issued", "issuedBy", "drawing", "program", "settings", "profile", "ok", "maxDeviation", "cornerDeviation", "tolerance", "missingLength", "extraLength", "limits", "plannedSeconds", "findings", "fonts"],
             made.EnumerateObject().Select(field => field.Name));
         Assert.Equal(["minX", "minY", "maxX", "maxY", "travelX", "travelY", "fits", "minZ", "maxZ", "travelZ"], made.GetProperty("limits").EnumerateObject().Select(field => field.Name));
         Assert.Equal(JsonText.Of(await CliRun.RunAsync("plan", drawing, "--json")).GetProperty("seconds").GetProperty("total").GetDouble(), made.GetProperty("plannedSeconds").GetDouble());

@@ -19,7 +19,7 @@ public class HistoryVerbTests
         Assert.Equal((ExitCode.Done, ""), (listed.ExitCode, listed.Error));
         Assert.Equal(["entries", "findings"], JsonText.Of(listed).EnumerateObject().Select(field => field.Name));
         Assert.Equal(
-            ["id", "date", "kind", "drawing", "drawingSha256", "target", "mode", "address", "outcome", "sentence", "seconds", "plannedSeconds", "maxDeviation", "missingLength", "openLoop", "journal", "program", "report", "settings", "options", "readBack", "plate", "fonts"],
+            ["id", "date", "kind", "drawing", "drawingSha256", "target", "mode", "address", "outcome", "sentence", "seconds", "plannedSeconds", "maxDeviation", "missingLength", "openLoop", "journal", "program", "report", "settings", "options", "readBack", "plate", "fonts", "cornerDeviation"],
             entries[0].EnumerateObject().Select(field => field.Name));
         Assert.Equal(["linkLost", "written", "complete"], entries.Select(entry => Word(entry, "outcome")));
         Assert.Equal((drawing, "run", "stream", "galil", folder.PathOf("a.jsonl")), (Word(entries[2], "drawing"), Word(entries[2], "kind"), Word(entries[2], "mode"), Word(entries[2], "target"), Word(entries[2], "journal")));

@@ -13,7 +13,7 @@ public class VerifyVerbTests
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ", "blend", "target"], report.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ", "blend", "target", "cornerDeviation"], report.EnumerateObject().Select(field => field.Name));
         Assert.True(report.GetProperty("ok").GetBoolean());
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
     }

@@ -18,6 +18,8 @@ public class JudgeStepsTests
     /// <summary>A cut of the machine: samples while it accelerates, a span, samples while it brakes.</summary>
     private const int SamplesOfRamp = 40;
 
+    private static readonly TraceTolerances s_rounding = UsualOptions.Trace with { CornerTolerance = 0.01, JoinTolerance = UsualOptions.JoinToleranceMm };
+
     public static TheoryData<string> Crowded => ["diagonals", "fan", "rings", "shifted arcs", "ellipses", "hatch"];
 
     public static TheoryData<string> Crossing => ["diagonals", "rings", "shifted arcs", "hatch", "star", "rays", "one line again and again", "lines half a count apart", "lines within a hair", "circles through one point", "specks"];
@@ -53,6 +55,47 @@ public class JudgeStepsTests
 
         Assert.Equal((0.0, 0.0), (verdict.MissingLength, verdict.ExtraLength));
         Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, FewSteps + (2 * SamplesOfRamp * FewSteps / 20.0));
+    }
+
+    /// <summary>A corner for each of millions of pairs of ends would take minutes.</summary>
+    [Theory]
+    [MemberData(nameof(Crossing))]
+    public void Corners_that_may_be_rounded_add_few_steps(string name)
+    {
+        var drawing = Drawing(name);
+        var judge = new TraceJudge(drawing, s_rounding);
+        foreach (var segment in drawing) Cut(judge, segment);
+
+        var verdict = judge.Verdict();
+
+        Assert.Equal((0.0, 0.0), (verdict.MissingLength, verdict.ExtraLength));
+        Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, MaxStepsBeside);
+    }
+
+    /// <summary>Two fans of thousands of lines, and the tool rounds from each line of one to a line of the other.</summary>
+    [Fact]
+    public void Thousands_of_rounded_corners_in_one_place_are_judged_in_few_steps()
+    {
+        Segment[] drawing = [.. Each(i => Ray(0.0005 * i)), .. Each(i => Ray(170.0 + (0.0005 * i)))];
+        var judge = new TraceJudge(drawing, s_rounding);
+        for (var i = 0; i < Count; i++)
+        {
+            var (first, second) = (drawing[i], drawing[Count + (i * 7 % Count)]);
+            var contact = 0.9 * s_rounding.CornerTolerance / Math.Tan((180.0 - Math.Abs(first.StartTangent.TurnTo(second.StartTangent).Degrees)) * Math.PI / 720.0);
+            var (from, to) = (first.PointAt(contact / first.Length), second.PointAt(contact / second.Length));
+            judge.Add(Sample(first, 1.0, false));
+            judge.Add(new TraceSpan(1, 2, 1000, Segment.FromLine(first.End, from), true));
+            judge.Add(new TraceSpan(2, 3, 1000, Segment.FromArc(ArcOf(from, to, first.StartTangent)), true));
+            judge.Add(new TraceSpan(3, 4, 1000, Segment.FromLine(to, second.End), true));
+            judge.Add(Sample(second, 1.0, false));
+        }
+
+        var verdict = judge.Verdict();
+
+        Assert.Equal((0.0, 0.0), (verdict.MissingLength, verdict.ExtraLength));
+        Assert.InRange(verdict.MaxDeviation, 0.0, s_rounding.Deviation);
+        Assert.InRange(verdict.CornerDeviation!.Value, 0.5 * s_rounding.CornerTolerance, s_rounding.CornerTolerance);
+        Assert.InRange(judge.Steps / (double)Count, 1.0, 5 * MaxStepsBeside);
     }
 
     /// <summary>The drawing of a run that was stopped: half of it is uncut.</summary>
@@ -103,6 +146,18 @@ public class JudgeStepsTests
         "specks" => Each(i => Segment.FromLine(Speck(i), Speck(i) + (Direction(i * 7) * 0.01))),
         _ => throw new ArgumentException(name, nameof(name)),
     };
+
+    private static Segment Ray(double degrees) => Segment.FromLine(default, default(Point2D) + Vector2D.FromPolar(20.0, Angle.FromDegrees(degrees)));
+
+    /// <summary>The arc that arrives from the first place against a direction and leaves to the second.</summary>
+    private static ArcSegment ArcOf(Point2D from, Point2D to, Vector2D leaving)
+    {
+        var (chord, along) = (to - from, -leaving);
+        var sweep = 2.0 * along.TurnTo(chord).Radians;
+        var radius = chord.Length / (2.0 * Math.Abs(Math.Sin(sweep / 2.0)));
+        var centre = from + (new Vector2D(-along.Y, along.X) * (radius * Math.Sign(sweep)));
+        return new ArcSegment(centre, radius, (from - centre).Direction, Angle.FromRadians(sweep));
+    }
 
     private static Point2D Speck(int i) => new(i * 37 % 101 * 0.0022, i * 53 % 103 * 0.0022);
 

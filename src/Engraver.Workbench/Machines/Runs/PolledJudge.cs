@@ -55,7 +55,7 @@ internal sealed class PolledJudge
         var tolerances = RunJudge.Tolerances(_job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
         var missing = _job.Settings.CuttingMachine.Scale.Finer.LengthOf(Math.Max(0.0, planned - cut));
-        return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
+        return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { CornerDeviationMm = found.CornerDeviation, DeviationAt = found.DeviationAt?.Place }, _motors);
     }
 
     /// <summary>The last poll before the tool leaves the work may be the only one of the retract; the height judge recognises retracts and plunges by the

@@ -13,7 +13,7 @@ public static class RunJudge
     /// <summary>The verdict of the run.</summary>
     /// <param name="motors">The judge of the motors; null if only the commanded path is judged.</param>
     internal static RunJudgement ByRecord(TraceVerdict found, MotorJudge? motors = null) =>
-        WithMotors(new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt }, motors);
+        WithMotors(new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { CornerDeviationMm = found.CuttingSamples == 0 ? null : found.CornerDeviation, DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt }, motors);
 
     /// <summary>Compares the motors of a job with the drawing, in XY: the lag of Z is part of the following error.</summary>
     internal static MotorJudge MotorsOf(PreparedJob job) => new(() => PlanJudgeOf(job, null, Tolerances(job)));
@@ -22,6 +22,7 @@ public static class RunJudge
     internal static RunJudgement WithMotors(RunJudgement path, MotorJudge? motors) => motors?.Following is not { } following || path.MaxDeviationMm is not { } commanded ? path : path with
     {
         MaxDeviationMm = Math.Max(commanded, motors.Deviation),
+        CornerDeviationMm = path.CornerDeviationMm is { } rounded ? Math.Max(rounded, motors.CornerDeviation) : null,
         DeviationAt = motors.Deviation > commanded ? motors.DeviationAt : path.DeviationAt,
         CommandedDeviationMm = commanded,
         FollowingMm = following,
@@ -38,16 +39,17 @@ public static class RunJudge
 
     /// <summary>A judge that compares recorded motion with the drawing.</summary>
     /// <param name="bridges">Additional lines that may be cut; the missing length of the verdict is then meaningless.</param>
-    internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.CuttingMachine.Height is { } drive
-        ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, Tolerances(job))
-        : PlanJudgeOf(job, bridges, Tolerances(job));
+    /// <param name="tolerances">Tolerances; null for those of a run.</param>
+    internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null, TraceTolerances? tolerances = null) => job.Settings.CuttingMachine.Height is { } drive
+        ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, tolerances ?? Tolerances(job))
+        : PlanJudgeOf(job, bridges, tolerances ?? Tolerances(job));
 
     /// <summary>The same in XY only, with or without a tool axis.</summary>
     internal static ITraceJudge PlanJudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges, TraceTolerances tolerances) =>
         new TraceJudge([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], tolerances);
 
     /// <summary>Creates the builder of a trace with the deviation from the drawing.</summary>
-    internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());
+    internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments(), rounding: Tolerances(job));
 
     /// <summary>The conditions of a running job, for its trace.</summary>
     internal static TraceConditions ConditionsOf(JobProgress told) => new(told.FeedRatio, told.LinkLoad);
@@ -62,6 +64,8 @@ public static class RunJudge
     {
         Count = CoarsestCount(job.Settings.CuttingMachine),
         MaxError = job.Settings.MaxErrorMm,
+        CornerTolerance = job.Settings.CuttingMachine.Scale.IsUniform ? job.Settings.CornerToleranceMm : 0.0, // an arc in counts would be an ellipse otherwise
+        JoinTolerance = job.Settings.JoinToleranceMm,
     };
 
     /// <summary>Size of the coarsest count, millimetres; includes Z if the tool axis cuts.</summary>

@@ -180,11 +180,15 @@ public static class JobReportPage
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
         PagePair.Of(Wording.Get(run.OpenLoop is null ? "JobReport.MaxDeviation" : "JobReport.CommandedDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
+        .. CornerDeviation(run.CornerDeviation, "cornerDeviation"),
         PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
         PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
         .. Measured(run.Operations, "operation"),
         new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
     ];
+
+    /// <param name="deviation">Null where corners may not be rounded.</param>
+    private static PagePair[] CornerDeviation(double? deviation, string key) => deviation is null ? [] : [PagePair.Of(Wording.Get("JobReport.CornerDeviation"), key, deviation, "0.0000")];
 
     /// <param name="operations">Null where nothing was measured.</param>
     /// <param name="key">Before the id of an operation in the keys of the rows.</param>
@@ -203,6 +207,7 @@ public static class JobReportPage
             new PagePair(Wording.Get("JobReport.Issued"), $"{Time(certificate.Issued, here)}, {certificate.IssuedBy}"),
             new PagePair(Wording.Get("JobReport.Target"), certificate.Program.Target, "program.target"),
             PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "certificate.maxDeviation", certificate.MaxDeviation, "0.0000"),
+            .. CornerDeviation(certificate.CornerDeviation, "certificate.cornerDeviation"),
             PagePair.Of(Wording.Get("JobReport.Tolerance"), "certificate.tolerance", certificate.Tolerance, "0.0000"),
             PagePair.Of(Wording.Get("JobReport.Missing"), "certificate.missingLength", certificate.MissingLength, "0.####"),
             PagePair.Of(Wording.Get("JobReport.Extra"), "certificate.extraLength", certificate.ExtraLength, "0.####"),
