@@ -20,19 +20,18 @@ public static class SpeedHeadroom
         ArgumentNullException.ThrowIfNull(sequences);
         ArgumentNullException.ThrowIfNull(profile);
         var (headroom, limits) = (most, PathLimits.Of(profile));
-        foreach (var sequence in sequences) headroom = Math.Min(headroom, sequence.HasOwnSpeeds ? 1.0 : Math.Min(fastest, FastestOf(sequence, limits, sequence.AccelerationOn(profile))) / sequence.Speed);
+        foreach (var sequence in sequences) headroom = Math.Min(headroom, sequence.HasOwnSpeeds ? 1.0 : Math.Min(fastest, FastestOf(sequence, limits)) / sequence.Speed);
         return Math.Max(1.0, Math.Floor((headroom / Step) + 1e-6) * Step);
     }
 
-    /// <summary>The highest speed that arcs and joints allow, counts/s.</summary>
-    private static double FastestOf(VectorSequence sequence, PathLimits limits, double acceleration)
+    /// <summary>The highest speed that arcs and joints allow, counts/s. A ramp on an arc is not counted: it is added there to v2/r, as in a hold.</summary>
+    private static double FastestOf(VectorSequence sequence, PathLimits limits)
     {
-        var across = Math.Sqrt(Math.Max(0.0, (limits.OnArcs * limits.OnArcs) - (acceleration * acceleration)));
         var (fastest, from, before, length) = (double.PositiveInfinity, sequence.Start, default(PathDirection?), 0.0);
         foreach (var segment in sequence.Segments)
         {
             var (first, last) = Directions(from, segment);
-            if (segment.Kind == VectorSegmentKind.Arc) fastest = Math.Min(fastest, Math.Sqrt(across * segment.Radius));
+            if (segment.Kind == VectorSegmentKind.Arc) fastest = Math.Min(fastest, Math.Sqrt(limits.OnArcs * segment.Radius));
             if (before is { } direction) fastest = Math.Min(fastest, limits.SpeedThrough(limits.TurnOf(direction, first), Math.Min(length, segment.Length)));
             (before, from, length) = (last, segment.End, segment.Length);
         }

@@ -20,11 +20,11 @@ public class SpeedHeadroomTests
     }
 
     [Theory]
-    [InlineData(9.9, 1.0)]
-    [InlineData(8.0, 1.2)] // sin 5 / sin 4 = 1.249
-    [InlineData(6.0, 1.6)] // sin 5 / sin 3 = 1.665
-    [InlineData(4.0, 2.0)]
-    public void At_a_joint_the_velocity_jumps_no_further_than_the_plan_allows(double turnDegrees, double most)
+    [InlineData(8.0, 1.0)] // 256 / (2 sin 4) = 1835
+    [InlineData(6.0, 1.2)] // 256 / (2 sin 3) = 2446
+    [InlineData(4.0, 1.8)] // 256 / (2 sin 2) = 3668
+    [InlineData(3.0, 2.0)]
+    public void At_a_joint_the_velocity_changes_in_one_sample(double turnDegrees, double most)
     {
         var end = CountsScale.Round(new(100_000 + (100_000 * Math.Cos(turnDegrees * Math.PI / 180.0)), 100_000 * Math.Sin(turnDegrees * Math.PI / 180.0)));
 
@@ -34,10 +34,15 @@ public class SpeedHeadroomTests
     [Fact]
     public void A_bend_in_height_counts_as_one_in_plan()
     {
-        var rise = (int)Math.Round(100_000 * Math.Tan(8.0 * Math.PI / 180.0));
+        var rise = (int)Math.Round(100_000 * Math.Tan(6.0 * Math.PI / 180.0));
 
         Assert.Equal(1.2, Of(new VectorSequence(default, 2000, [Line(default, new(100_000, 0)), Line(new(100_000, 0), new(200_000, 0, rise))]) { ChangesHeight = true }), 6);
     }
+
+    /// <summary>Its brakes fit the planned speeds only.</summary>
+    [Fact]
+    public void A_sequence_that_brakes_on_its_way_is_not_run_faster() =>
+        Assert.Equal(1.0, Of(new VectorSequence(default, 2000, [Line(default, new(100_000, 0)) with { Speed = 2000 }, Line(new(100_000, 0), new(200_000, 0)) with { Speed = 1000 }])));
 
     [Fact]
     public void The_controllers_fastest_speed_and_what_is_asked_for_are_limits_too()

@@ -74,8 +74,8 @@ public sealed class DmcLines
         if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank is ignored
         if (text is "SB1" or "CB1") _isOn = text == "SB1";
         else if (text == "VMAB") (_from, _vector) = (_place, default);
-        else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(text[3..]) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
-        else if (text.StartsWith("CR ", StringComparison.Ordinal) && Values(text[3..]) is [var radius, var theta, var sweep]) Add(Segment.FromArc(new ArcSegment(_vector - Vector2D.FromPolar(radius, Angle.FromDegrees(theta)), radius, Angle.FromDegrees(theta), Angle.FromDegrees(sweep))));
+        else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(Unpaced(text[3..])) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
+        else if (text.StartsWith("CR ", StringComparison.Ordinal) && Values(Unpaced(text[3..])) is [var radius, var theta, var sweep]) Add(Segment.FromArc(new ArcSegment(_vector - Vector2D.FromPolar(radius, Angle.FromDegrees(theta)), radius, Angle.FromDegrees(theta), Angle.FromDegrees(sweep))));
         else if (text.StartsWith("WT ", StringComparison.Ordinal)) return Value(text[3..]) is { } wait && Wait(wait);
         else if (text.Length > 3 && text[..3] is "VS " or "VA " or "VD ") return Value(text[3..]) is { } speed && Keep(text[..2], speed);
         else if (text.Length > 4 && text[3] == '=' && text[..2] is "SP" or "AC" or "DC") return Value(text[4..]) is { } rate && Keep(text[..3], rate);
@@ -85,6 +85,14 @@ public sealed class DmcLines
         else if (text.IndexOf('=', StringComparison.Ordinal) is > 0 and var equals && char.IsAsciiLetterLower(text[0])) return Value(text[(equals + 1)..]) is { } value && Set(text[..equals], value);
         else return !text.StartsWith("VP", StringComparison.Ordinal) && !text.StartsWith("CR", StringComparison.Ordinal);
         return true;
+    }
+
+    /// <summary>The numbers of a segment without its speed, which is kept.</summary>
+    private string Unpaced(string segment)
+    {
+        var parts = segment.Split('<');
+        if (parts.Length > 1) _set["<"] = Value(parts[1]) ?? double.NaN;
+        return parts[0];
     }
 
     private bool Wait(double milliseconds)

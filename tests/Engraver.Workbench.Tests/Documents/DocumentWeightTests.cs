@@ -4,6 +4,7 @@ using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Documents;
@@ -12,10 +13,13 @@ public class DocumentWeightTests
 {
     private const int Lines = 20_000;
 
+    /// <summary>One segment for each line: corners are not rounded.</summary>
+    private static readonly DrawingSettings s_stopping = new() { CornerToleranceMm = 0.0 };
+
     [Fact]
     public void Planning_a_line_allocates_a_bounded_number_of_bytes_and_posts_nothing()
     {
-        var state = new DocumentState { Drawing = Squares(Lines / 4) };
+        var state = new DocumentState { Drawing = Squares(Lines / 4), Settings = s_stopping };
         _ = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None);
         var before = GC.GetAllocatedBytesForCurrentThread();
         var derived = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None);
@@ -31,7 +35,7 @@ public class DocumentWeightTests
     [Fact]
     public void What_is_kept_of_a_planned_line_is_bounded()
     {
-        var state = new DocumentState { Drawing = Squares(Lines / 4) };
+        var state = new DocumentState { Drawing = Squares(Lines / 4), Settings = s_stopping };
         var program = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None).Job!.Motion.Program!;
         var columns = new VectorColumns(Lines);
         var segments = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => (sequence.Speed, Segments: sequence.Segments.ToArray())).ToList();

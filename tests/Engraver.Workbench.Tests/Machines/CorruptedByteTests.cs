@@ -163,7 +163,7 @@ public sealed class CorruptedByteTests : IDisposable
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
         File.WriteAllBytes(path, part);
-        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), mode.Strategy().Style);
+        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings { CornerToleranceMm = 0.0 }, mode.Strategy().Style);
     }
 
     /// <summary>A round-ended plate with a hole, a slanting line on the negative side, and a bow of short chords: 70 mm in all.</summary>

@@ -53,7 +53,7 @@ public class PlannedMotionTests
             var at = later.Segment == segment ? later : motion.At(begins + 1e-6); // Well inside, where two rows do not meet.
             Assert.Equal(segment, at.Segment);
             Assert.Equal(at.Entity, table.EntityIndexOf(at.Row));
-            Assert.InRange(table[at.Row].ToSegment().DistanceTo(at.Position), 0.0, 0.004);
+            Assert.InRange(table[at.Row].ToSegment().DistanceTo(at.Position), 0.0, 0.03); // the arc at a corner belongs to the row after it
         }
     }
 
@@ -62,7 +62,7 @@ public class PlannedMotionTests
     [Fact]
     public void A_segment_of_an_ellipse_is_on_its_move_and_what_follows_on_its_own()
     {
-        var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 3).Free(FreeCurves.Ellipse(20, 0, 12, 0.6, 0, 0, 360).ToCurve()).Line(40, 0, 50, 0).Line(50, 0, 50, 10).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 3).Free(FreeCurves.Ellipse(20, 0, 12, 0.6, 0, 0, 360).ToCurve()).Line(40, 0, 50, 0).Line(50, 0, 50, 10).Build(), new DrawingSettings { CornerToleranceMm = 0.0 }, MotionStyle.Continuous);
         var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         StrokeMove[] moves = [.. job.Toolpath.Strokes.SelectMany(stroke => stroke.Moves)];
         Assert.True(moves.Length > job.Sequence.Table.Count + 3, $"{moves.Length} moves");
@@ -91,7 +91,7 @@ public class PlannedMotionTests
         var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.DriverOf(job.Motion.Program!.Profile).NetworkTimes, null, CancellationToken.None);
         int[] moves = [.. Enumerable.Range(0, motion.SegmentCount).Select(segment => motion.At(motion.TimeOfSegment(segment) + 1e-6).Move)];
 
-        Assert.Equal([0, .. Enumerable.Repeat(1, moves.Length - 2), 2], moves);
+        Assert.Equal([0, 1, 2], moves.Where((move, i) => i == 0 || move != moves[i - 1]));
         Assert.True(moves.Length > 10, $"{moves.Length} segments");
     }
 
@@ -174,9 +174,9 @@ public class PlannedMotionTests
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(10, 0)), Segment.FromLine(new(10, 0), new(10.0003, 0)), Segment.FromLine(new(10.0003, 0), new(20, 5)), Segment.FromLine(new(20, 5), new(30, 5))).Build(), new DrawingSettings(), MotionStyle.Continuous);
         var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
-        Assert.Equal((3, 4), (motion.SegmentCount, job.Toolpath.Strokes[0].Moves.Count));
+        Assert.Equal(4, job.Toolpath.Strokes[0].Moves.Count);
 
-        Assert.Equal([0, 2, 3], Enumerable.Range(0, 3).Select(segment => motion.At(motion.TimeOfSegment(segment) + 0.01).Move));
+        Assert.Equal([0, 2, 3], Enumerable.Range(0, motion.SegmentCount).Select(segment => motion.At(motion.TimeOfSegment(segment) + 0.001).Move).Distinct());
     }
 
     /// <summary>The position in a segment determines the time: the remaining time decreases within a long segment.</summary>

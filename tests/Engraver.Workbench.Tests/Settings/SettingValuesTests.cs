@@ -27,13 +27,14 @@ public class SettingValuesTests
         Order = StrokeOrder.Drawn,
         KeepDuplicates = true,
         RecoverArcs = true,
+        CornerToleranceMm = 0.0375,
         Kerf = KerfSide.Nesting,
         ToolDiameterMm = 3.175,
         Machine = MachineProfile.Default with { FeedMmPerMinute = 77.0 },
     };
 
     public static TheoryData<string> Names =>
-        [.. typeof(DrawingSettings).GetProperties(BindingFlags.Public | BindingFlags.Instance).Where(property => !Equals(property.GetValue(s_other), property.GetValue(DrawingSettings.Default))).Select(property => property.Name).Where(name => name is not (nameof(DrawingSettings.Machine) or nameof(DrawingSettings.CuttingMachine)))];
+        [.. typeof(DrawingSettings).GetProperties(BindingFlags.Public | BindingFlags.Instance).Where(property => !Equals(property.GetValue(s_other), property.GetValue(DrawingSettings.Default))).Select(property => property.Name).Where(name => name is not (nameof(DrawingSettings.Machine) or nameof(DrawingSettings.CuttingMachine) or nameof(DrawingSettings.MotionTolerances)))];
 
     /// <summary>Values that are hard to write; <see cref="SettingWalkTests"/> goes through every setting of the table.</summary>
     [Theory]

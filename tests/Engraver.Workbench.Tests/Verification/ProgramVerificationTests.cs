@@ -101,7 +101,7 @@ public class ProgramVerificationTests
     [MemberData(nameof(Styles))]
     public async Task All_chunks_are_run_one_after_the_other(MotionStyle style)
     {
-        var text = Post("nameplate", style, memoryLines: 130);
+        var text = Post("nameplate", style, memoryLines: 90);
         var report = await VerifyAsync("nameplate", text);
 
         Assert.Contains("'CHUNK 2 OF ", text, StringComparison.Ordinal);
@@ -124,7 +124,8 @@ public class ProgramVerificationTests
     [InlineData(MotionStyle.Calls, "x=0;y=100000;JS#LINEAR", "x=6;y=100000;JS#LINEAR")]
     public async Task One_coordinate_changed_by_six_counts_is_noticed(MotionStyle style, string good, string bad)
     {
-        var report = await VerifyAsync("paper-001", Replaced(Post("paper-001", style), good, bad));
+        var settings = new DrawingSettings { CornerToleranceMm = 0.0 };
+        var report = await VerifyAsync("paper-001", Replaced(Post("paper-001", style, settings: settings), good, bad), settings);
 
         Assert.False(report.Ok);
         Assert.Contains(report.Diagnostics, finding => finding.Id == "VER0008");

@@ -19,6 +19,9 @@ public sealed class TargetCorruptionTests : IDisposable
 
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-corrupt-");
 
+    /// <summary>Corners are not rounded, as in every other format.</summary>
+    private static readonly DrawingSettings s_stopping = new() { CornerToleranceMm = 0.0 };
+
     [Theory]
     [InlineData("galil", "")]
     [InlineData("galil-calls", "")]
@@ -34,8 +37,8 @@ public sealed class TargetCorruptionTests : IDisposable
         var (entry, drawing, random) = (PostTable.Find(target), Parts(), new Random(15));
         var options = dialect.Length == 0 ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = dialect };
         var reader = dialect.Length == 0 ? entry.Reader! : entry.Dialects[dialect];
-        var text = PostedProgram.Create(drawing, new DrawingSettings(), entry.Post, options).Text!;
-        var drawn = JobPreparation.Analyse(drawing, new DrawingSettings()).ToSegments();
+        var text = PostedProgram.Create(drawing, s_stopping, entry.Post, options).Text!;
+        var drawn = JobPreparation.Analyse(drawing, s_stopping).ToSegments();
         Assert.True((await VerifyAsync(drawing, text, reader)).Ok);
         var acts = ProgramActions.Of(text, target)!;
         Assert.Equal(target != "cldata", acts.Count > 0);
@@ -52,7 +55,7 @@ public sealed class TargetCorruptionTests : IDisposable
     public void Dispose() => _folder.Delete(recursive: true);
 
     private static Task<VerificationReport> VerifyAsync(Drawing drawing, string text, IProgramReader reader) =>
-        ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, new DrawingSettings(), progress: null, CancellationToken.None);
+        ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, s_stopping, progress: null, CancellationToken.None);
 
     /// <summary>Cuts coincide with the drawing within the rounding of the format.</summary>
     private bool DoesNoHarm(string text, string target, IReadOnlyList<Segment> drawn, IProgramReader reader, IReadOnlyList<(string Name, double Value)> acts)

@@ -37,7 +37,7 @@ public class TargetTermsTests
     [InlineData("cldata", "\n31\n0.0\n1001", "\n31\n1.0\n1001", "VER0013")]
     [InlineData("galil", "WT 100", "WT 1000", "VER0015")]
     [InlineData("galil", "VS 20000", "VS 20400", "VER0015")]
-    [InlineData("galil", "VA 256000", "VA 128000", "VER0015")]
+    [InlineData("galil", "VS 20000;VA 256000", "VS 20000;VA 128000", "VER0015")]
     [InlineData("galil", "SPA=50000", "SPA=25000", "VER0015")]
     [InlineData("galil", "DCA=256000", "DCA=25600", "VER0015")]
     [InlineData("galil-calls", "f=20000", "f=2000", "VER0015")]

@@ -20,6 +20,10 @@ public sealed class SpeedPlanner
     /// <summary>Turns with a larger sine of their half are corners, not joints of a polygon that approximates an arc.</summary>
     private const double SharpHalfSine = 0.17;
 
+    /// <summary>Samples for which a peak is held. A ramp ends within a sample: where the brake would begin in the same one, a part of the ramp would be
+    /// missing.</summary>
+    private const double HeldSamples = 1.5;
+
     /// <summary>A shorter part of a segment is not divided off, counts.</summary>
     private const double ShortestPart = 3.0;
 
@@ -154,14 +158,15 @@ public sealed class SpeedPlanner
 
             if (!isBraking) target = Even(exit);
             var peak = Math.Sqrt(Math.Min(_ramp[i], ((entry * entry) + (exit * exit)) / 2.0 + (Acceleration * length)));
-            var brake = Math.Max(0.0, ((peak * peak) - (exit * exit)) / (2.0 * Acceleration));
+            var top = peak * peak < _ramp[i] - 1.0 ? Even(peak - Math.Min(HeldSamples * Acceleration * PathLimits.Sample, Math.Max(0.0, peak - Math.Max(entry, exit)) / 2.0)) : cap;
+            var brake = Math.Max(0.0, ((double)Math.Min(top, peak) * Math.Min(top, peak) - (exit * exit)) / (2.0 * Acceleration));
             var isAutomatic = isBraking && target == 0;
             var isWhole = brake >= length - SameLength;
             (_second[i], _braking[i]) = (0, 0.0);
             if (peak - exit <= SameSpeed || isAutomatic) _first[i] = cap;
             else if (brake < ShortestPart && !isWhole) _first[i] = Even(exit);
             else if (isWhole || length < ShortestPart) _first[i] = target;
-            else (_first[i], _second[i], _braking[i]) = (cap, target, brake);
+            else (_first[i], _second[i], _braking[i]) = (top, target, brake);
             isBraking = peak - exit > SameSpeed && isWhole && length >= ShortestPart;
             if (!isBraking) target = 0;
         }

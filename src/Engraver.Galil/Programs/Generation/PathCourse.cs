@@ -15,6 +15,9 @@ internal readonly record struct PathCourse(Segment Shape, int StartZ, int EndZ, 
     /// <summary>The machine stops before it.</summary>
     public bool IsAfterStop { get; init; }
 
+    /// <summary>It continues the curve of the course before it: the joint is not a corner of the drawing.</summary>
+    public bool ContinuesCurve { get; init; }
+
     public bool IsLine => Shape.Kind == SegmentKind.Line;
 
     public bool IsLevel => StartZ == EndZ;

@@ -41,6 +41,7 @@ internal sealed class StrokeGenerator
     private readonly bool _stopsAtCorners;
     private readonly List<PathCourse> _waiting = [];
     private bool _isRounding;
+    private bool _isInsideRow;
     private double _lift;
     private double _trimmed;
     private CountsPoint _reached;
@@ -80,7 +81,14 @@ internal sealed class StrokeGenerator
         _waiting.Clear();
         _trimmed = 0.0;
         _builder.Begin(_reached);
-        for (var i = 0; i < stroke.Moves.Count; i++) Move(stroke.Moves[i], i);
+        var (row, ofRow) = (0, 0);
+        for (var i = 0; i < stroke.Moves.Count; i++)
+        {
+            _isInsideRow = ofRow > 0;
+            Move(stroke.Moves[i], i);
+            if (++ofRow >= (stroke.RowMoves?[row] ?? 1)) (row, ofRow) = (row + 1, 0);
+        }
+
         while (_waiting.Count > 0) CutFirst();
         return _builder.Finish(stroke.Index, terms);
     }
@@ -106,8 +114,10 @@ internal sealed class StrokeGenerator
             foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm).Select(_scale.Exact))
             {
                 Add(new PathCourse(Segment.FromLine(start, vertex), from.Z, from.Z, move.EntityIndex, index, 0.0));
-                start = vertex;
+                (start, _isInsideRow) = (vertex, true);
             }
+
+            _isInsideRow = false;
         }
 
         (_reached, _reachedExactly) = (to, end);
@@ -126,7 +136,8 @@ internal sealed class StrokeGenerator
     private void Add(in PathCourse course)
     {
         var feed = course.IsLevel ? _profile.VectorSpeed() : _slope.Of(course.Shape.End - course.Shape.Start, course.EndZ - course.StartZ);
-        var next = course with { Feed = feed };
+        var next = course with { Feed = feed, ContinuesCurve = _isInsideRow };
+        _isInsideRow = false;
         if (_waiting.Count > 0 && _stopsAtCorners && _style != MotionStyle.Calls && IsSharp(_waiting[^1], next) && IsCorner(_waiting[^1], next)) next = next with { IsAfterStop = true };
         _waiting.Add(next);
         if (_waiting.Count > 2) CutFirst();
@@ -167,7 +178,7 @@ internal sealed class StrokeGenerator
     /// <summary>Length of the first of two courses that the arc between them would replace.</summary>
     private double LengthWantedAfter(int index) => IsRounded(index) && Largest(_waiting[index], _waiting[index + 1], (_waiting[index].Length, _waiting[index + 1].Length)) is { } arc ? arc.Before : 0.0;
 
-    private bool IsRounded(int index) => _isRounding && index + 1 < _waiting.Count && IsCorner(_waiting[index], _waiting[index + 1]);
+    private bool IsRounded(int index) => _isRounding && index + 1 < _waiting.Count && !_waiting[index + 1].ContinuesCurve && IsCorner(_waiting[index], _waiting[index + 1]);
 
     /// <summary>The arc, where it is faster than the corner: chords of a curve are as fast without one.</summary>
     private CornerArc? Largest(in PathCourse before, in PathCourse after, (double Before, double After) most) =>

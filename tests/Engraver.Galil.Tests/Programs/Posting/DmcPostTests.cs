@@ -31,7 +31,7 @@ public class DmcPostTests
             JS#TOOLON
             x=10000;y=0;JS#LINEAR
             x=0;y=10000;JS#LINEAR
-            r=5000;th=0;da=180;JS#CIRC
+            r=5000;th=0;da=180;va=254976;JS#CIRC
             x=0;y=-10000;JS#LINEAR
             JS#TOOLOFF
             CB1
@@ -208,7 +208,7 @@ public class DmcPostTests
         Assert.Equal(post.Chunks.Count - 1, post.Diagnostics.Count);
         Assert.All(post.Diagnostics, finding => Assert.Equal(("MOT0007", true), (finding.Id, finding.Source.Line > 1000)));
         Assert.All(post.Chunks, chunk => Assert.InRange(Lines(chunk).Count, 1, 200));
-        Assert.Equal(3000, post.Chunks.Sum(Cuts));
+        Assert.Equal(program.SegmentCount, post.Chunks.Sum(Cuts));
     }
 
     [Fact]
@@ -222,7 +222,7 @@ public class DmcPostTests
         {
             var statements = Lines(chunk).SelectMany(line => line.Split(';')).ToList();
             Assert.Equal(($"PAA=ox{x:+0;-0}", $"PAB=oy{y:+0;-0}"), (statements.Single(s => s.StartsWith("PAA=", StringComparison.Ordinal)), statements.Single(s => s.StartsWith("PAB=", StringComparison.Ordinal))));
-            var last = statements.Last(s => s.StartsWith("VP ", StringComparison.Ordinal))[3..].Split(',');
+            var last = statements.Last(s => s.StartsWith("VP ", StringComparison.Ordinal))[3..].Split('<')[0].Split(',');
             x += int.Parse(last[0], System.Globalization.CultureInfo.InvariantCulture);
             y += int.Parse(last[1], System.Globalization.CultureInfo.InvariantCulture);
         }
