@@ -26,6 +26,11 @@ switch (args)
     case ["measure", var engraver, var tolerance, var folder, .. var machines] when machines.Length > 0:
         MotionTable.Write(new EngraverProgram(engraver), double.Parse(tolerance, CultureInfo.InvariantCulture), folder, machines);
         return 0;
+    case ["acceleration", var record, var counts]:
+        var a = double.Parse(counts, CultureInfo.InvariantCulture);
+        var found = RecordedAcceleration.Of(record, a);
+        Console.WriteLine($"{found.Largest / a:0.000} A at {found.X:0}, {found.Y:0} counts; allowed: {found.Allowed / a:0.000} A");
+        return found.Largest <= found.Allowed ? 0 : 1;
     default:
         Console.Error.WriteLine(
             """
@@ -37,6 +42,8 @@ switch (args)
                      print the limits of each stroke
                    Engraver.MotionLimits measure ENGRAVER TOLERANCE FOLDER PROFILE...
                      print a table of all drawings of the folder on all machines
+                   Engraver.MotionLimits acceleration RECORD.csv COUNTS
+                     print the largest acceleration of a record of the simulated controller beside that of its machine, counts/s2
             """);
         return 2;
 }

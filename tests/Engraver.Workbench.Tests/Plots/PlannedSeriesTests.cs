@@ -50,6 +50,7 @@ public class PlannedSeriesTests
             var seconds = motion.DurationSeconds * i / 4000.0;
             var (before, at, after) = (motion.At(seconds - Step), motion.At(seconds), motion.At(seconds + Step));
             if (before.Segment != after.Segment || before.Kind != after.Kind || IsNearJump(series, seconds, Step)) continue;
+            if (at.Speed > 0.0 && (before.Speed == 0.0 || after.Speed == 0.0)) continue; // the motion begins or ends between the three
             var expected = ((after.Position - at.Position) - (at.Position - before.Position)) * (1.0 / (Step * Step));
             Assert.Equal(expected.X, series.ValueAt(PlotQuantity.AccelerationX, PlotAxis.Time, seconds), Tolerance * Math.Max(100.0, expected.Length));
             Assert.Equal(expected.Y, series.ValueAt(PlotQuantity.AccelerationY, PlotAxis.Time, seconds), Tolerance * Math.Max(100.0, expected.Length));

@@ -110,6 +110,25 @@ public sealed class SpeedPlanner
         Reserve();
         MeasureHolds();
         (Seconds, Acceleration) = (double.PositiveInfinity, 0);
+        if (!HasChoice()) Try(Math.Max(_step, (int)(_limits.Total / _step) * _step));
+        else Search();
+        (_speeds, _best) = (_best, _speeds);
+        SetRamps(Acceleration);
+    }
+
+    /// <summary>Less than the whole acceleration can be faster: there are arcs, or axes with bounds of their own.</summary>
+    private bool HasChoice()
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            if (_bounds[i] < _limits.Total || !double.IsInfinity(RadiusOf(i))) return true;
+        }
+
+        return false;
+    }
+
+    private void Search()
+    {
         List<int> tried = [.. Candidates().Order()];
         tried.ForEach(Try);
         for (var i = 0; i < Refinements && tried.Count > 1; i++)
@@ -119,9 +138,6 @@ public sealed class SpeedPlanner
             between.ForEach(Try);
             tried = [.. tried.Concat(between).Order()];
         }
-
-        (_speeds, _best) = (_best, _speeds);
-        SetRamps(Acceleration);
     }
 
     /// <summary>Runs the sequence with a VA, and keeps the plan if it takes less time than those before.</summary>

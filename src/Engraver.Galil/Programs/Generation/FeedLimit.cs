@@ -14,13 +14,16 @@ internal static class FeedLimit
     /// <summary>Average time of a segment over any window, seconds.</summary>
     private const double SecondsPerSegment = 0.0025;
 
+    /// <summary>A sequence of this many segments is sent while it is cut.</summary>
+    public static bool IsNeeded(int segments) => segments > SegmentsSentAhead;
+
     /// <summary>The highest even speed on each segment at which every window of segments takes long enough, counts/s: the length of the window around it,
     /// divided by that time.</summary>
     /// <param name="lengths">Of the segments, counts.</param>
     /// <returns>Null where the host is fast enough for any speed.</returns>
     public static int[]? Of(IReadOnlyList<double> lengths)
     {
-        if (lengths.Count <= SegmentsSentAhead) return null;
+        if (!IsNeeded(lengths.Count)) return null;
         var (speeds, window, from, to) = (new int[lengths.Count], 0.0, 0, 0);
         for (var i = 0; i < speeds.Length; i++)
         {

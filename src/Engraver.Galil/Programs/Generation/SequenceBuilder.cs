@@ -56,7 +56,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        if (style != MotionStyle.Calls && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) planner.LimitTo(sent);
+        if (FeedLimit.IsNeeded(_segments.Count) && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) planner.LimitTo(sent);
         planner.Plan();
         Append();
         var end = _segments[^1].End;

@@ -86,7 +86,7 @@ internal sealed class StrokeGenerator
         {
             _isInsideRow = ofRow > 0;
             Move(stroke.Moves[i], i);
-            if (++ofRow >= (stroke.RowMoves?[row] ?? 1)) (row, ofRow) = (row + 1, 0);
+            if (++ofRow >= (row < stroke.RowMoves?.Count ? stroke.RowMoves[row] : 1)) (row, ofRow) = (row + 1, 0);
         }
 
         while (_waiting.Count > 0) CutFirst();

@@ -314,7 +314,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     private PreparedJob Job(JobMode mode)
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
-        var settings = new DrawingSettings { Machine = _profile };
+        var settings = new DrawingSettings { Machine = _profile, CornerToleranceMm = 0.0 };
         File.WriteAllBytes(path, Part());
         return JobPreparation.Prepare(DrawingFile.Open(path, settings, CancellationToken.None), settings, mode.Strategy().Style);
     }
@@ -385,7 +385,7 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 
     public static FaultyRun Unconnected(string sentence) => new(null, null, RunJudgement.Unknown, 0.0) { Sentence = sentence };
 
-    public override string ToString() => $"{Result?.Outcome.ToString() ?? "unconnected"} {Refusal} '{Sentence}' deviation {Record.MaxDeviationMm} missing {Record.MissingLengthMm} cut {CutCounts:0} zero {Zero} burn {LongestBurn}";
+    public override string ToString() => $"{Result?.Outcome.ToString() ?? "unconnected"} {Refusal} '{Sentence}' deviation {Record.MaxDeviationMm} commanded {Record.CommandedDeviationMm} following {Record.FollowingMm} missing {Record.MissingLengthMm} cut {CutCounts:0} zero {Zero} burn {LongestBurn}";
 }
 
 /// <summary>State reported by the controller.</summary>
