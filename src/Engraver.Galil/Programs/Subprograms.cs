@@ -19,7 +19,7 @@ internal static class Subprograms
     public const string ClearanceHeight = "zup";
 
     /// <summary>Speed and acceleration of a call.</summary>
-    private const string Speeds = "VS f;VA va;VD va";
+    private static string Speeds { get; } = Statements("VS f", "VA va", "VD va");
 
     /// <summary>Variable: speed of the tool's axis down to the work.</summary>
     private const string PlungeSpeed = "zf";

@@ -40,7 +40,7 @@ public class NetworkRunTests
         using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--speed", "max", "--record", folder.PathOf("record.csv"));
         var clock = (await simulate.LineAsync("clock 127.0.0.1:", patience.Token))["clock 127.0.0.1:".Length..];
         var address = (await simulate.LineAsync("listening ", patience.Token))["listening ".Length..] + "?clock=" + clock;
-        using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--mode", mode, "--corner-tolerance", "0", "--json", "--journal", folder.PathOf("run.jsonl"));
         var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
         await host.WaitAsync(patience.Token);
         simulate.Signal(PosixSignal.SIGINT);
@@ -61,7 +61,7 @@ public class NetworkRunTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         await using var proxy = new CorruptingProxy(place.Port, line => line == "LI 100000,0" ? "LI 1000000,0" : line);
-        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--corner-tolerance", "0", "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
         Assert.Matches("The machine was at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts off the planned path", run.Error);
@@ -108,7 +108,7 @@ public class NetworkRunTests
     {
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
-        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--corner-tolerance", "0", "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Equal(0.0, JsonText.Of(run).GetProperty("missingLength").GetDouble());

@@ -19,7 +19,7 @@ public class StartCheckTests
 
         Assert.Equal(
             [
-                "ok     The drawing has no errors.", "ok     The job has 4 segments.", "note   The drawing has no certificate; engraver certify verifies the program and writes one.", "ok     The link to sim: is up; the controller has just replied.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit switch is active.",
+                "ok     The drawing has no errors.", "ok     The job has 6 segments.", "note   The drawing has no certificate; engraver certify verifies the program and writes one.", "ok     The link to sim: is up; the controller has just replied.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit switch is active.",
                 "ok     The abort input is not active.", "ok     No work origin is set; the drawing's zero is assumed at count 0 of the controller, machine position 0,0 mm.",
             ],
             run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));

@@ -150,7 +150,7 @@ public sealed class SpeedPlanner
     }
 
     /// <summary>What is commanded for a segment of the plan: one speed from its start, or two with a place between them.</summary>
-    public PlannedSpeeds SpeedsOf(int segment) => new(_first[segment], _second[segment], _braking[segment], _speeds[segment + 1]);
+    public SegmentSpeeds SpeedsOf(int segment) => new(_first[segment], _second[segment], _braking[segment], _speeds[segment + 1]);
 
     private int[] _first = [];
     private int[] _second = [];
@@ -160,7 +160,7 @@ public sealed class SpeedPlanner
     public void Command()
     {
         if (_first.Length < Count) (_first, _second, _braking) = (new int[_hold.Length], new int[_hold.Length], new double[_hold.Length]);
-        var (target, isBraking) = (0, true); // after the last segment: the controller brakes to rest by itself
+        var (target, isBraking) = (0, true); // after the last segment: the controller brakes to rest automatically
         for (var i = Count - 1; i >= 0; i--)
         {
             var (entry, exit, length) = (_speeds[i], _speeds[i + 1], _lengths[i]);

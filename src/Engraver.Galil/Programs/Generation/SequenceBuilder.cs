@@ -126,7 +126,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
         columns.Append(fastest, planner.Acceleration, _planned, _changesHeight);
     }
 
-    private bool Divide(int index, PlannedSpeeds speeds)
+    private bool Divide(int index, SegmentSpeeds speeds)
     {
         var (from, segment) = (_starts[index], _segments[index]);
         var z = index == 0 ? _startHeight : _segments[index - 1].End.Z;

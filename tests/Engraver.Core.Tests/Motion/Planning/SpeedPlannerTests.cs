@@ -27,7 +27,8 @@ public sealed class SpeedPlannerTests
         Assert.Equal((int)A, planner.Acceleration);
     }
 
-    /// <summary>From rest to rest on a circle: the speed v may be reached by VA up to sqrt(VA2 + (v2/r)2) = A, so the time is v/VA + L/v for the best VA.</summary>
+    /// <summary>From rest to rest on a circle: the speed v may be reached by VA up to sqrt(VA2 + (v2/r)2) = A, so the time is v/VA + L/v for the best
+    /// VA.</summary>
     [Theory]
     [InlineData(100.0)]
     [InlineData(1000.0)]

@@ -5,7 +5,7 @@ namespace Engraver.Core.Motion.Planning;
 /// <param name="Second">Speed from <paramref name="Braking"/> counts before its end; 0: the first one up to the end.</param>
 /// <param name="Braking">Counts.</param>
 /// <param name="Exit">Speed at its end, counts/s.</param>
-public readonly record struct PlannedSpeeds(int First, int Second, double Braking, double Exit)
+public readonly record struct SegmentSpeeds(int First, int Second, double Braking, double Exit)
 {
     /// <summary>The first speed, lowered so that the brake fits the part in which it takes place: where a brake ends late, the path turns too fast; where it
     /// ends early, the machine creeps to the end of the part.</summary>
