@@ -19,7 +19,10 @@ internal static class Subprograms
     public const string ClearanceHeight = "zup";
 
     /// <summary>Speed and acceleration of a call.</summary>
-    private static string Speeds { get; } = Statements("VS f", "VA va", "VD va");
+    private const string Speeds = $"VS f;VA {Acceleration};VD {Acceleration}";
+
+    /// <summary>Variable: acceleration and deceleration of a call, counts/s2.</summary>
+    private const string Acceleration = "va";
 
     /// <summary>Variable: speed of the tool's axis down to the work.</summary>
     private const string PlungeSpeed = "zf";
