@@ -63,7 +63,7 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
 
         var cut = machine.Controller.Record.Snapshot().Where(row => (row.Outputs & ToolOn) != 0).Select(row => (X: row.A - zero.A - Corner, Y: row.B - zero.B - Corner)).ToList();
         Assert.Equal((0, 0, 100 * RealMachine.Scale, 150 * RealMachine.Scale), (cut.Min(place => place.X), cut.Min(place => place.Y), cut.Max(place => place.X), cut.Max(place => place.Y)));
-        Assert.All(cut, place => Assert.True(DistanceFromPart(place.X, place.Y) <= 3.0, $"{place} is not on the part"));
+        Assert.All(cut, place => Assert.True(DistanceFromPart(place.X, place.Y) <= 9.0, $"{place} is not on the part")); // corners are rounded within 10 counts, 7 from the nearer side
         Assert.InRange(LongestGap(cut), 0.0, 200.0);
     }
 
