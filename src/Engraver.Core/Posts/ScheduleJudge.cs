@@ -18,6 +18,11 @@ public sealed class ScheduleJudge : ITraceJudge
     private const double MoveShare = 0.005;
     private const double MoveSlack = 0.003;
 
+    /// <summary>Additional tolerance of the time of a move, seconds for each segment and at most a fraction of the time: before a sharp turn the plan is slow
+    /// for a sample and a quarter in which the controller's brake may end.</summary>
+    private const double TurnSeconds = 0.00125;
+    private const double TurnShare = 0.02;
+
     /// <summary>Tolerance of a wait: a fraction of it, plus the statements of the program around it; seconds.</summary>
     private const double WaitShare = 0.03;
     private const double WaitSlack = 0.025;
@@ -77,7 +82,7 @@ public sealed class ScheduleJudge : ITraceJudge
         for (var i = 0; i < Math.Max(expected.Count, _moves.Count); i++)
         {
             var (found, asked) = (_moves.ElementAtOrDefault(i), expected.ElementAtOrDefault(i));
-            if (!IsNear(found.Seconds, asked.Seconds, MoveShare, MoveSlack) || ((i > 0 || found.Segments == 0) && !IsWait(found, asked))) return Other(found, asked, i < _moves.Count ? found.End : asked.End);
+            if (!IsMove(found, asked) || ((i > 0 || found.Segments == 0) && !IsWait(found, asked))) return Other(found, asked, i < _moves.Count ? found.End : asked.End);
         }
 
         return null;
@@ -88,7 +93,8 @@ public sealed class ScheduleJudge : ITraceJudge
     private static bool IsWait(ScheduledMove found, ScheduledMove asked) =>
         found.Wait >= (asked.Wait * (1.0 - WaitShare)) - WaitSlack && found.Wait <= (asked.Wait * (1.0 + WaitShare)) + WaitSlack + (found.Segments > 0 ? LoadSeconds * asked.Segments : 0.0);
 
-    private static bool IsNear(double found, double asked, double share, double slack) => Math.Abs(found - asked) <= (share * asked) + slack;
+    private static bool IsMove(ScheduledMove found, ScheduledMove asked) =>
+        Math.Abs(found.Seconds - asked.Seconds) <= (MoveShare * asked.Seconds) + MoveSlack + Math.Min(TurnSeconds * asked.Segments, TurnShare * asked.Seconds);
 
     private static Diagnostic Other(ScheduledMove found, ScheduledMove asked, Point2D end) =>
         VerificationRules.OtherPace.At(default, FactText.Of(end.X, 3), FactText.Of(end.Y, 3), FactText.Of(found.Seconds, 3), FactText.Of(found.Wait, 3), FactText.Of(asked.Seconds, 3), FactText.Of(asked.Wait, 3)) with { Place = end };

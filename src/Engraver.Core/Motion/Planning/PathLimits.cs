@@ -43,6 +43,10 @@ public readonly record struct PathLimits(double Total, double X, double Y)
         return Math.Max(double.Hypot(double.Hypot(x, y), z) / Total, Math.Max(Math.Abs(x) / X, Math.Abs(y) / Y));
     }
 
+    /// <summary>Length between two turns up to which one measurement of the acceleration includes both, counts.</summary>
+    /// <param name="speed">At the turns, counts/s.</param>
+    public double CloseTurns(double speed) => (speed * MeasuredOver) + (Total * MeasuredOver * MeasuredOver / 4.0);
+
     /// <summary>Largest speed at which a path may turn between two segments: the change of velocity fits one sample, and where the segments are shorter than
     /// the distance of a sample, the time of a segment.</summary>
     /// <param name="turn">As <see cref="TurnOf"/>.</param>

@@ -12,13 +12,15 @@ namespace Engraver.Core.Motion.Planning;
 public sealed class SpeedPlanner
 {
     /// <summary>Parts of the largest acceleration that are tried for VA.</summary>
-    private static readonly double[] s_parts = [1.0, 0.995, 0.98, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3];
+    private static readonly double[] s_parts = [1.0, 0.995, 0.98, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, LeastPart];
+
+    private const double LeastPart = 0.3;
 
     /// <summary>Number of times that the search is continued halfway between the best part and those beside it.</summary>
     private const int Refinements = 2;
 
-    /// <summary>Turns with a larger sine of their half are corners, not joints of a polygon that approximates an arc.</summary>
-    private const double SharpHalfSine = 0.17;
+    /// <summary>A turn that the fastest path makes in this part of a sample is none.</summary>
+    private const double SmoothPart = 0.02;
 
     /// <summary>Samples for which a peak is held. A ramp ends within a sample: where the brake would begin in the same one, a part of the ramp would be
     /// missing.</summary>
@@ -55,6 +57,12 @@ public sealed class SpeedPlanner
     private double[] _speeds = [];
     private double[] _best = [];
 
+    /// <summary>What is commanded: a speed from the start of each segment, a second one or 0, and the length before its end from which the second
+    /// holds.</summary>
+    private int[] _first = [];
+    private int[] _second = [];
+    private double[] _braking = [];
+
     /// <param name="limits">Of the machine.</param>
     /// <param name="step">VA is a multiple of this, counts/s2.</param>
     public SpeedPlanner(PathLimits limits, int step) => (_limits, _step) = (limits, step);
@@ -67,6 +75,10 @@ public sealed class SpeedPlanner
 
     /// <summary>Seconds of the plan.</summary>
     public double Seconds { get; private set; }
+
+    /// <summary>No plan for a machine has a smaller VA, counts/s2.</summary>
+    /// <param name="step">VA is a multiple of this.</param>
+    public static int LeastAcceleration(PathLimits limits, int step) => Whole(LeastPart * limits.OnArcs, step);
 
     /// <summary>Begins a sequence.</summary>
     public void Clear()
@@ -110,10 +122,11 @@ public sealed class SpeedPlanner
         Reserve();
         MeasureHolds();
         (Seconds, Acceleration) = (double.PositiveInfinity, 0);
-        if (!HasChoice()) Try(Math.Max(_step, (int)(_limits.Total / _step) * _step));
+        if (!HasChoice()) Try(Whole(_limits.Total, _step));
         else Search();
         (_speeds, _best) = (_best, _speeds);
         SetRamps(Acceleration);
+        Command();
     }
 
     /// <summary>Less than the whole acceleration can be faster: there are arcs, or axes with bounds of their own.</summary>
@@ -152,14 +165,9 @@ public sealed class SpeedPlanner
     /// <summary>What is commanded for a segment of the plan: one speed from its start, or two with a place between them.</summary>
     public SegmentSpeeds SpeedsOf(int segment) => new(_first[segment], _second[segment], _braking[segment], _speeds[segment + 1]);
 
-    private int[] _first = [];
-    private int[] _second = [];
-    private double[] _braking = [];
-
     /// <summary>Computes <see cref="SpeedsOf"/> for all segments, from the end to the start: a brake over several segments is commanded as one.</summary>
-    public void Command()
+    private void Command()
     {
-        if (_first.Length < Count) (_first, _second, _braking) = (new int[_hold.Length], new int[_hold.Length], new double[_hold.Length]);
         var (target, isBraking) = (0, true); // after the last segment: the controller brakes to rest automatically
         for (var i = Count - 1; i >= 0; i--)
         {
@@ -175,7 +183,7 @@ public sealed class SpeedPlanner
             if (!isBraking) target = Even(exit);
             var peak = Math.Sqrt(Math.Min(_ramp[i], ((entry * entry) + (exit * exit)) / 2.0 + (Acceleration * length)));
             var top = peak * peak < _ramp[i] - 1.0 ? Even(peak - Math.Min(HeldSamples * Acceleration * PathLimits.Sample, Math.Max(0.0, peak - Math.Max(entry, exit)) / 2.0)) : cap;
-            var brake = Math.Max(0.0, ((double)Math.Min(top, peak) * Math.Min(top, peak) - (exit * exit)) / (2.0 * Acceleration));
+            var brake = SegmentSpeeds.BrakeOf(Math.Min(top, peak), exit, Acceleration);
             var isAutomatic = isBraking && target == 0;
             var isWhole = brake >= length - SameLength;
             (_second[i], _braking[i]) = (0, 0.0);
@@ -192,6 +200,7 @@ public sealed class SpeedPlanner
     {
         if (_hold.Length >= Count + 1) return;
         var size = Math.Max(64, Count + 1 + (Count / 2));
+        (_first, _second, _braking) = (new int[size], new int[size], new double[size]);
         (_hold, _ramp, _joint, _forward, _speeds, _best) = (new double[size], new double[size], new double[size], new double[size], new double[size], new double[size]);
     }
 
@@ -216,18 +225,20 @@ public sealed class SpeedPlanner
         }
 
         var all = (hasBends ? s_parts : s_parts.AsSpan(0, 1).ToArray()).SelectMany(part => least < _limits.Total ? (double[])[part * _limits.Total, part * least] : [part * _limits.Total]);
-        return all.Select(wanted => Math.Max(_step, (int)(wanted / _step) * _step)).Distinct();
+        return all.Select(wanted => Whole(wanted, _step)).Distinct();
     }
+
+    private static int Whole(double acceleration, int step) => Math.Max(step, (int)(acceleration / step) * step);
 
     /// <summary>Radius by which changes of the speed are bounded: that of an arc; for short lines with a turn at an end, which approximate one, that of the
     /// arc.</summary>
     private double RadiusOf(int segment)
     {
-        var radius = _radii[segment];
-        if (!double.IsInfinity(radius) || _lengths[segment] > _feeds[segment] * _limits.MeasuredOver) return radius;
-        var turn = Math.Max(_turns[segment], segment + 1 < Count ? _turns[segment + 1] : 0.0) * _limits.Total;
-        if (turn > 2.0 * SharpHalfSine) return radius;
-        return turn * _fastest <= 0.02 * PathLimits.Sample * _limits.Total ? radius : _lengths[segment] / turn;
+        var (radius, length) = (_radii[segment], _lengths[segment]);
+        if (!double.IsInfinity(radius) || length > _limits.CloseTurns(_feeds[segment])) return radius;
+        var turn = Math.Max(_turns[segment], segment + 1 < Count ? _turns[segment + 1] : 0.0);
+        if (turn * _fastest <= SmoothPart * PathLimits.Sample || length > _limits.CloseTurns(Math.Min(_feeds[segment], _limits.SpeedThrough(turn, length)))) return radius;
+        return length / (turn * _limits.Total);
     }
 
     /// <summary>Squares of the speeds up to which the speed of each segment may change at this VA.</summary>

@@ -34,6 +34,6 @@ internal sealed class PlannedSpeeds
     {
         if (_lowest.Length == 0) return _anywhere;
         var (from, to) = (Math.Clamp(executed - Around, 0, _lowest.Length - 1), Math.Clamp(executed + Around, 0, _lowest.Length - 1));
-        return _anywhere with { Lowest = _lowest.AsSpan(from..(to + 1)).ToArray().Min(), Highest = _highest.AsSpan(from..(to + 1)).ToArray().Max() };
+        return _anywhere with { Lowest = _lowest[from..(to + 1)].Min(), Highest = _highest[from..(to + 1)].Max() };
     }
 }

@@ -1,3 +1,5 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Galil.Programs.Generation;
 
 /// <summary>How the controller quantizes an angle: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999), then to the steps
@@ -16,4 +18,7 @@ public readonly record struct AngleQuantum(double Degrees)
         var number = (double)(decimal.Truncate(text * NumberSteps) / NumberSteps);
         return Math.Round(number / Degrees, MidpointRounding.AwayFromZero) * Degrees;
     }
+
+    /// <summary>The same for a direction: 0 or more, and less than 360.</summary>
+    public double QuantizeDirection(double degrees) => Quantize(Angle.FromDegrees(degrees).Positive().Degrees) is var kept && kept >= 360.0 ? kept - 360.0 : kept;
 }

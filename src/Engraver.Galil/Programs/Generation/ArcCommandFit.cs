@@ -58,14 +58,14 @@ internal readonly record struct ArcCommandFit(AngleQuantum Quantum)
     private IEnumerable<ArcPrediction> Candidates(Point2D from, ArcSegment wanted, Point2D target)
     {
         var radius = (int)Math.Round(wanted.Radius, MidpointRounding.AwayFromZero);
-        yield return new ArcPrediction(from, radius, QuantizedTheta(wanted.Start.Degrees), Quantum.Quantize(wanted.Sweep.Degrees));
+        yield return new ArcPrediction(from, radius, Quantum.QuantizeDirection(wanted.Start.Degrees), Quantum.Quantize(wanted.Sweep.Degrees));
         yield return Aimed(from, radius, (from - wanted.Centre).Direction, wanted, target);
         if (CentreThrough(from, target, radius, wanted) is { } centre) yield return Aimed(from, radius, (from - centre).Direction, wanted, target);
     }
 
     private ArcPrediction Aimed(Point2D from, int radius, Angle theta, ArcSegment wanted, Point2D target)
     {
-        var kept = QuantizedTheta(theta.Degrees);
+        var kept = Quantum.QuantizeDirection(theta.Degrees);
         var sweep = wanted.Sweep.Degrees;
         if (wanted.IsFullTurn) return new ArcPrediction(from, radius, kept, sweep);
         var centre = new ArcPrediction(from, radius, kept, 0.0).Centre;
@@ -85,8 +85,6 @@ internal readonly record struct ArcCommandFit(AngleQuantum Quantum)
         var normal = new Vector2D(-chord.Y, chord.X) * ((left ? height : -height) / length);
         return from + (chord * 0.5) + normal;
     }
-
-    private double QuantizedTheta(double degrees) => Quantum.Quantize(Angle.FromDegrees(degrees).Positive().Degrees) is var kept && kept >= 360.0 ? kept - 360.0 : kept;
 
     private static bool IsLegal(ArcPrediction aim) => aim.Length >= ShortestArc && aim.Radius * Math.Abs(aim.DeltaDegrees) < DmcLimits.RadiusTimesDegrees;
 

@@ -53,19 +53,15 @@ internal static class SegmentDivision
         for (var step = 0; step < AngleSteps; step++)
         {
             var delta = quantum.Quantize(wanted + (Math.Sign(wanted) * step * quantum.Degrees));
-            var away = Math.Abs(Kept(arc.ThetaDegrees + delta, quantum) - Positive(arc.ThetaDegrees + delta)) + Math.Abs(quantum.Quantize(arc.DeltaDegrees - delta) - (arc.DeltaDegrees - delta));
+            var away = Math.Abs(quantum.QuantizeDirection(arc.ThetaDegrees + delta) - Angle.FromDegrees(arc.ThetaDegrees + delta).Positive().Degrees) + Math.Abs(quantum.Quantize(arc.DeltaDegrees - delta) - (arc.DeltaDegrees - delta));
             if (away < off) (best, off) = (delta, away);
         }
 
         var first = new ArcPrediction(from, arc.Radius, arc.ThetaDegrees, best);
-        var last = new ArcPrediction(first.End, arc.Radius, Kept(arc.ThetaDegrees + best, quantum), quantum.Quantize(arc.DeltaDegrees - best));
+        var last = new ArcPrediction(first.End, arc.Radius, quantum.QuantizeDirection(arc.ThetaDegrees + best), quantum.Quantize(arc.DeltaDegrees - best));
         if (best * arc.DeltaDegrees <= 0.0 || first.Length < ShortestArc || last.Length < ShortestArc) return null;
         return (
             arc with { End = CountsScale.Round(first.End) with { Z = arc.End.Z }, DeltaDegrees = best, Length = first.Length },
             arc with { ThetaDegrees = last.ThetaDegrees, DeltaDegrees = last.DeltaDegrees, Length = last.Length });
     }
-
-    private static double Positive(double degrees) => Angle.FromDegrees(degrees).Positive().Degrees;
-
-    private static double Kept(double degrees, AngleQuantum quantum) => quantum.Quantize(Positive(degrees)) is var kept && kept >= 360.0 ? kept - 360.0 : kept;
 }

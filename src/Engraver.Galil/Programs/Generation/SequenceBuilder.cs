@@ -107,7 +107,6 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     /// <summary>The sequence with its planned speeds. Where it brakes inside a segment, the segment is divided there.</summary>
     private void Append()
     {
-        planner.Command();
         _planned.Clear();
         var fastest = 0;
         for (var i = 0; i < _segments.Count; i++)

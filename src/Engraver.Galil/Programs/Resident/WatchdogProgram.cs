@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Motion.Planning;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Resident;
@@ -71,9 +72,13 @@ public static class WatchdogProgram
         .Line("EN")
         .Lines;
 
-    /// <summary>Time from the fastest motion of a job to rest, seconds.</summary>
-    private static double LongestBrake(MachineProfile profile) =>
-        profile.Scale.Diagonal.CountsOf(Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0) / profile.AccelerationCounts;
+    /// <summary>Time from the fastest motion of a job to rest, seconds: on the path at the smallest VD of any plan, in a rapid at the DC of the axes.</summary>
+    private static double LongestBrake(MachineProfile profile)
+    {
+        double Counts(double mmPerMinute) => profile.Scale.Diagonal.CountsOf(mmPerMinute / 60.0);
+        var onPath = SpeedPlanner.LeastAcceleration(PathLimits.Of(profile), DmcLimits.AccelerationStep);
+        return Math.Max(Counts(profile.FeedMmPerMinute) / onPath, Counts(profile.RapidMmPerMinute) / profile.Axes.All.Min(profile.RapidAcceleration));
+    }
 
     /// <summary>While the tool is off the work, standstill has no time limit.</summary>
     private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? DmcFormat.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);

@@ -78,15 +78,17 @@ public sealed class SpeedPlannerTests
         {
             var path = RandomPath(new Random(seed));
             var planner = Planned(path);
-            planner.Command();
             var run = new RunOfCommands(path, planner);
 
             Assert.True(run.LargestTotal <= A * 1.001, $"{seed}: {run.LargestTotal / A}");
             Assert.True(run.LargestJump <= A * 0.001 * 1.02, $"{seed}: {run.LargestJump}");
-            Assert.Equal(planner.Seconds, run.Seconds, planner.Seconds * 0.01);
+            Assert.Equal(planner.Seconds, run.Seconds, (planner.Seconds * 0.01) + (BeforeTurn * path.Length));
             Assert.True(run.Seconds <= StopSeconds(path) * 1.0001, $"{seed}: {run.Seconds} {StopSeconds(path)}");
         }
     }
+
+    /// <summary>The longest time for which a brake before a sharp turn lasts longer than its ramp: a sample and a quarter.</summary>
+    private const double BeforeTurn = 0.00125;
 
     private static double TrapezoidSeconds(double length, double speed, double acceleration) =>
         length >= speed * speed / acceleration ? (length / speed) + (speed / acceleration) : 2.0 * Math.Sqrt(length / acceleration);
