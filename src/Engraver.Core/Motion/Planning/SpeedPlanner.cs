@@ -19,7 +19,7 @@ public sealed class SpeedPlanner
     /// <summary>Number of times that the search is continued halfway between the best part and those beside it.</summary>
     private const int Refinements = 2;
 
-    /// <summary>A turn that the fastest path makes in this part of a sample is none.</summary>
+    /// <summary>A turn that the fastest path makes in this part of a sample does not count.</summary>
     private const double SmoothPart = 0.02;
 
     /// <summary>Samples for which a peak is held. A ramp ends within a sample: where the brake would begin in the same one, a part of the ramp would be
