@@ -12,6 +12,9 @@ public sealed class VectorColumns(int segments)
     private readonly List<SequenceCells> _sequences = [];
     private readonly List<StrokeCells> _strokes = [];
 
+    /// <summary>Shares of the segments that have several entities.</summary>
+    private readonly Dictionary<int, IReadOnlyList<EntityShare>> _shares = [];
+
     /// <summary>Number of segments so far.</summary>
     public int SegmentCount => _segments.Count;
 
@@ -52,9 +55,11 @@ public sealed class VectorColumns(int segments)
     internal VectorSegment Segment(int index)
     {
         var cells = _segments[index];
-        if (cells.Arc == NoArc) return new VectorSegment(VectorSegmentKind.Line, cells.End, 0, 0.0, 0.0, cells.Entity, cells.Length) { Speed = cells.Speed, Move = cells.Move };
-        var arc = _arcs[cells.Arc];
-        return new VectorSegment(VectorSegmentKind.Arc, cells.End, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, cells.Entity, cells.Length) { Speed = cells.Speed, Move = cells.Move };
+        var (kind, arc) = cells.Arc == NoArc ? (VectorSegmentKind.Line, default) : (VectorSegmentKind.Arc, _arcs[cells.Arc]);
+        return new VectorSegment(kind, cells.End, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, cells.Entity, cells.Length)
+        {
+            Speed = cells.Speed, Move = cells.Move, Moves = cells.Moves, Shares = cells.Moves > 1 ? _shares.GetValueOrDefault(index) : null,
+        };
     }
 
     internal int FirstSegmentOf(int sequence) => _sequences[sequence].First;
@@ -76,7 +81,8 @@ public sealed class VectorColumns(int segments)
     {
         var arc = segment.Kind == VectorSegmentKind.Line ? NoArc : _arcs.Count;
         if (arc != NoArc) _arcs.Add(new ArcCells { Radius = segment.Radius, ThetaDegrees = segment.ThetaDegrees, DeltaDegrees = segment.DeltaDegrees });
-        _segments.Add(new SegmentCells { End = segment.End, Entity = segment.EntityIndex, Length = segment.Length, Arc = arc, Speed = segment.Speed, Move = segment.Move });
+        if (segment.Shares is { } shares) _shares[_segments.Count] = shares;
+        _segments.Add(new SegmentCells { End = segment.End, Entity = segment.EntityIndex, Length = segment.Length, Arc = arc, Speed = segment.Speed, Move = segment.Move, Moves = segment.Moves });
     }
 
     private struct SegmentCells
@@ -87,6 +93,7 @@ public sealed class VectorColumns(int segments)
         public int Arc;
         public int Speed;
         public int Move;
+        public int Moves;
     }
 
     private struct ArcCells

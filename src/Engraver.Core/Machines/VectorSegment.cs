@@ -16,6 +16,26 @@ public readonly record struct VectorSegment(
     /// <summary>Vector speed that is commanded from its start, even counts/s (galil-dmc.md B.4: <c>&lt;o</c>); 0: that of its sequence.</summary>
     public int Speed { get; init; }
 
-    /// <summary>The move of the toolpath's stroke that it cuts; where it cuts several, the first.</summary>
+    /// <summary>The move of the toolpath's stroke that it cuts. Where several moves became one path, all its segments state the first of them.</summary>
     public int Move { get; init; }
+
+    /// <summary>Number of consecutive moves of that path.</summary>
+    public int Moves { get; init; } = 1;
+
+    /// <summary>The entities that it cuts, in order, the first of which is <see cref="EntityIndex"/>; null where there is only that one.</summary>
+    public IReadOnlyList<EntityShare>? Shares { get; init; }
+
+    /// <summary>The entity at a place of it.</summary>
+    /// <param name="along">Length from its start, counts.</param>
+    public int EntityAt(double along)
+    {
+        var last = EntityIndex;
+        for (var i = 0; i < Shares?.Count; i++)
+        {
+            last = Shares[i].EntityIndex;
+            if ((along -= Shares[i].Length) < 0.0) break;
+        }
+
+        return last;
+    }
 }

@@ -130,12 +130,14 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         private VectorSegment? Shortened(in VectorSegment segment, double along, CountsPoint start)
         {
             var left = segment.Length - along;
-            if (segment.Kind == VectorSegmentKind.Line) return start == segment.End ? null : segment with { Length = start.Z == segment.End.Z ? new Point2D(start.X, start.Y).DistanceTo(new Point2D(segment.End.X, segment.End.Y)) : left };
+            var shares = EntityShare.Between(segment.Shares, along, segment.Length);
+            var kept = segment with { EntityIndex = segment.EntityAt(along), Shares = shares is { Count: > 1 } ? shares : null };
+            if (segment.Kind == VectorSegmentKind.Line) return start == segment.End ? null : kept with { Length = start.Z == segment.End.Z ? new Point2D(start.X, start.Y).DistanceTo(new Point2D(segment.End.X, segment.End.Y)) : left };
             var part = along / segment.Length;
             var theta = keepAngle(Angle.FromDegrees(segment.ThetaDegrees + (part * segment.DeltaDegrees)).Positive().Degrees);
             var delta = keepAngle((1.0 - part) * segment.DeltaDegrees);
             if (delta == 0.0) return null;
-            var arc = segment with { ThetaDegrees = theta, DeltaDegrees = delta, Length = left };
+            var arc = kept with { ThetaDegrees = theta, DeltaDegrees = delta, Length = left };
             return arc with { End = CountsScale.Round(new SegmentPath(start, arc).At(left)) with { Z = segment.End.Z } };
         }
 

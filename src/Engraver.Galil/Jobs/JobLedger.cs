@@ -165,6 +165,10 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
         _lengths[stroke] += segment.Length;
         if (Executed > _rest.SegmentsBefore) (_lengths[stroke], _cutOfFirst) = (_lengths[stroke] + _cutOfFirst, 0.0);
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
+        for (var i = 1; i < segment.Shares?.Count; i++)
+        {
+            if (_seen.Add(segment.Shares[i].EntityIndex)) _entities.Add(segment.Shares[i].EntityIndex);
+        }
     }
 
     /// <summary>Passes a polled position on if it differs from the last. Memory does not grow with the time of the job.</summary>

@@ -56,7 +56,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         ArgumentNullException.ThrowIfNull(trajectories);
         var arcError = settings.Machine.Scale.Finer.LengthOf(CountShare);
         var rises = trajectories.Any(one => one.IsHelix);
-        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off, Operations = null };
+        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, FitArcs = false, Unit = null, Kerf = KerfSide.Off, Operations = null };
         if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, StageOptions.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
         var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [WithHeight(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var job = JobPreparation.Prepare(splines, own, style);

@@ -24,39 +24,36 @@ public sealed class PlannedMotion
     /// <summary>For each sequence of the program: the index of its first segment.</summary>
     private readonly int[] _firstSegments;
 
-    /// <summary>Move of each segment.</summary>
-    private readonly int[] _moves;
+    private readonly SegmentMoves _moves;
 
     /// <summary>Row of each move; null if the numbers are equal.</summary>
     private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Created on demand.</summary>
+    /// <summary>By drawing entity and by move of the toolpath: its first segment plus one; 0 for none. Created on demand.</summary>
     private readonly Lazy<int[]> _segmentOfEntity;
     private readonly Lazy<int[]> _segmentOfMove;
-    private readonly Lazy<int[]> _segmentOfRow;
 
     /// <summary>The profile of the last query; replaced as a whole, so that any thread may query.</summary>
     private volatile SequenceProfileOf? _profile;
 
-    private PlannedMotion(MotionTimeline timeline, int[] moves, int[]? rows, Func<IReadOnlyList<int>>? lines)
+    private PlannedMotion(MotionTimeline timeline, SegmentMoves moves, int[]? rows, Func<IReadOnlyList<int>>? lines)
     {
         _timeline = timeline;
         _program = timeline.Program;
         (_moves, _rows, _lines) = (moves, rows, new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]));
-        _lengths = new double[moves.Length];
+        _lengths = new double[moves.Count];
         _firstSequences = new int[_program.Strokes.Count + 1];
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
         NumberSegments();
         _segmentOfEntity = new Lazy<int[]>(SegmentsOfEntities);
-        _segmentOfMove = new Lazy<int[]>(() => FirstSegments(MoveOf));
-        _segmentOfRow = rows is null ? _segmentOfMove : new Lazy<int[]>(() => FirstSegments(RowOf));
+        _segmentOfMove = new Lazy<int[]>(FirstSegments);
     }
 
     public double DurationSeconds => _timeline.Seconds;
 
-    public int SegmentCount => _moves.Length;
+    public int SegmentCount => _moves.Count;
 
     /// <summary>The spans of time, for plots.</summary>
     public MotionTimeline Timeline => _timeline;
@@ -88,7 +85,13 @@ public sealed class PlannedMotion
     }
 
     /// <summary>Start time of the first segment of a drawing entity; null if it is not cut.</summary>
-    public double? TimeOfEntity(int entity) => First(_segmentOfEntity.Value, entity) is { } segment ? TimeOfSegment(segment) : null;
+    public double? TimeOfEntity(int entity)
+    {
+        if (First(_segmentOfEntity.Value, entity) is not { } segment) return null;
+        var (shares, along) = (SegmentAt(segment).Shares, 0.0);
+        for (var i = 0; i < shares?.Count && shares[i].EntityIndex != entity; i++) along += shares[i].Length;
+        return TimeAlong(segment, along);
+    }
 
     /// <summary>The spans of time in which any of these drawing entities is cut, in their order. Takes linear time.</summary>
     public IReadOnlyList<(double Start, double End)> TimesOf(IReadOnlyCollection<int> entities)
@@ -97,34 +100,55 @@ public sealed class PlannedMotion
         var wanted = entities.ToHashSet();
         var first = wanted.Min(entity => First(_segmentOfEntity.Value, entity)) ?? int.MaxValue;
         if (first == int.MaxValue) return [];
-        var (times, start, at) = (new List<(double, double)>(), -1, 0);
+        var (times, start, at) = (new List<(double, double)>(), -1.0, 0);
         for (var number = 0; number < _firstSegments.Length; number++)
         {
             var (stroke, sequence) = PlaceOf(_firstSegments[number]);
             var segments = _program.Strokes[stroke].Sequences[sequence].Segments;
             for (var i = 0; i < segments.Count; i++, at++)
             {
-                var isOfEntity = at >= first && wanted.Contains(segments[i].EntityIndex);
-                if (isOfEntity && start < 0) start = at;
-                if (isOfEntity || start < 0) continue;
-                times.Add((TimeOfSegment(start), TimeOfSegment(at)));
-                start = -1;
+                if (at < first && start < 0) continue;
+                var (segment, along) = (segments[i], 0.0);
+                for (var part = 0; part < (segment.Shares?.Count ?? 1); part++)
+                {
+                    var share = segment.Shares?[part] ?? new EntityShare(segment.EntityIndex, segment.Length);
+                    var isOfEntity = wanted.Contains(share.EntityIndex);
+                    if (isOfEntity && start < 0) start = TimeAlong(at, along);
+                    if (!isOfEntity && start >= 0)
+                    {
+                        times.Add((start, TimeAlong(at, along)));
+                        start = -1.0;
+                    }
+
+                    along += share.Length;
+                }
             }
 
             if (start < 0) continue;
-            times.Add((TimeOfSegment(start), _timeline.CutOf(number).End));
-            start = -1;
+            times.Add((start, _timeline.CutOf(number).End));
+            start = -1.0;
         }
 
         return times;
     }
 
     /// <summary>Start time of the first segment of a row of the sequenced table; null if the row is shorter than a count.</summary>
-    public double? TimeOfRow(int row) => First(_segmentOfRow.Value, row) is { } segment ? TimeOfSegment(segment) : null;
+    public double? TimeOfRow(int row)
+    {
+        if (_rows is null) return TimeOfMove(row);
+        var move = Array.BinarySearch(_rows, row);
+        while (move > 0 && _rows[move - 1] == row) move--;
+        for (; move >= 0 && move < _rows.Length && _rows[move] == row; move++)
+        {
+            if (TimeOfMove(move) is { } seconds) return seconds;
+        }
+
+        return null;
+    }
 
     /// <summary>Start time of the first segment of a move of the toolpath; null if the move is shorter than a count.</summary>
     /// <param name="move">Index in the whole toolpath.</param>
-    public double? TimeOfMove(int move) => First(_segmentOfMove.Value, move) is { } segment ? TimeOfSegment(segment) : null;
+    public double? TimeOfMove(int move) => First(_segmentOfMove.Value, move) is { } segment ? TimeAlong(segment, _moves.StartOf(segment, move) * SegmentAt(segment).Length) : null;
 
     /// <summary>The line of the posted program that commands a segment, 1 is first; 0 if no program was posted. The first query posts it.</summary>
     public int LineOf(int segment) => (uint)segment < (uint)_lines.Value.Length ? _lines.Value[segment] : 0;
@@ -157,26 +181,24 @@ public sealed class PlannedMotion
     }
 
     /// <summary>Start time of a segment of the motion program.</summary>
-    public double TimeOfSegment(int segment) => TimeInside(segment, null);
+    public double TimeOfSegment(int segment) => TimeAlong(segment, 0.0);
 
     /// <summary>Time at which the tool is at the point of a segment nearest to a position.</summary>
     /// <param name="place">Drawing millimetres.</param>
-    public double TimeOfPlace(int segment, Point2D place) => TimeInside(segment, _program.Profile.Scale.Exact(place));
-
-    /// <param name="place">Counts; null is the start.</param>
-    private double TimeInside(int segment, Point2D? place)
+    public double TimeOfPlace(int segment, Point2D place)
     {
         var (stroke, sequence) = PlaceOf(segment);
-        var (span, first) = (_timeline.CutOf(_firstSequences[stroke] + sequence), FirstSegment(stroke, sequence));
-        var reached = segment == first ? 0.0 : _lengths[segment - 1];
-        if (place is { } at)
-        {
-            var cut = _program.Strokes[stroke].Sequences[sequence];
-            var (part, from) = (cut.Segments[segment - first], segment == first ? cut.Start : cut.Segments[segment - first - 1].End);
-            reached += part.Length * SegmentPosition.FractionNear(part, from, at);
-        }
+        var (cut, first) = (_program.Strokes[stroke].Sequences[sequence], FirstSegment(stroke, sequence));
+        var (part, from) = (cut.Segments[segment - first], segment == first ? cut.Start : cut.Segments[segment - first - 1].End);
+        return TimeAlong(segment, part.Length * SegmentPosition.FractionNear(part, from, _program.Profile.Scale.Exact(place)));
+    }
 
-        return span.Start + ProfileOf(stroke, sequence).SecondsAt(reached);
+    /// <param name="along">Length from the start of the segment, counts.</param>
+    private double TimeAlong(int segment, double along)
+    {
+        var (stroke, sequence) = PlaceOf(segment);
+        var reached = segment == FirstSegment(stroke, sequence) ? 0.0 : _lengths[segment - 1];
+        return _timeline.CutOf(_firstSequences[stroke] + sequence).Start + ProfileOf(stroke, sequence).SecondsAt(reached + along);
     }
 
     /// <summary>The speed profile of one sequence, counts. That of the last query is kept: the next one is mostly of the same sequence.</summary>
@@ -203,32 +225,38 @@ public sealed class PlannedMotion
     private int[] SegmentsOfEntities()
     {
         var (next, first) = (0, Array.Empty<int>());
-        foreach (var entity in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments).Select(segment => segment.EntityIndex))
+        void Note(int entity)
         {
-            next++;
-            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _moves.Length)));
+            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _moves.Count)));
             if (entity >= 0 && first[entity] == 0) first[entity] = next;
         }
 
-        return first;
-    }
-
-    /// <param name="numberOf">Returns the number for a segment. With several passes numbers repeat.</param>
-    private int[] FirstSegments(Func<int, int> numberOf)
-    {
-        var first = new int[_moves.Length == 0 ? 0 : Enumerable.Range(0, _moves.Length).Max(numberOf) + 1];
-        for (var segment = 0; segment < _moves.Length; segment++)
+        foreach (var segment in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments))
         {
-            ref var of = ref first[numberOf(segment)];
-            if (of == 0) of = segment + 1;
+            next++;
+            Note(segment.EntityIndex);
+            for (var i = 1; i < segment.Shares?.Count; i++) Note(segment.Shares[i].EntityIndex);
         }
 
         return first;
     }
 
-    private int MoveOf(int segment) => _moves[segment];
+    /// <summary>For each move its first segment plus one. With several passes moves repeat.</summary>
+    private int[] FirstSegments()
+    {
+        var first = new int[_moves.Count == 0 ? 0 : Enumerable.Range(0, _moves.Count).Max(_moves.LastOf) + 1];
+        for (var segment = 0; segment < _moves.Count; segment++)
+        {
+            for (var move = _moves.FirstOf(segment); move <= _moves.LastOf(segment); move++)
+            {
+                if (first[move] == 0) first[move] = segment + 1;
+            }
+        }
 
-    private int RowOf(int segment) => _rows is null ? _moves[segment] : _rows[_moves[segment]];
+        return first;
+    }
+
+    private int RowOf(int move) => _rows is null ? move : _rows[move];
 
     private static int? First(int[] segments, int of) => (uint)of < (uint)segments.Length && segments[of] is > 0 and var place ? place - 1 : null;
 
@@ -264,7 +292,7 @@ public sealed class PlannedMotion
         var cut = sequence.Segments[segment - first];
         var place = SegmentPosition.At(cut, from, cut.Length > 0.0 ? done / cut.Length : 1.0);
         var speed = SegmentPosition.Millimetres(cut, from, done, profile.SpeedAfter(since), _program.Profile.Scale);
-        return Moment(span, since, segment, Millimetres(place.X, place.Y), speed);
+        return Moment(span, since, segment, Millimetres(place.X, place.Y), speed, done);
     }
 
     private PlaybackMoment Rapid(in MotionSpan span, double since)
@@ -288,8 +316,13 @@ public sealed class PlannedMotion
         return first + sequence.Segments.Count - 1;
     }
 
-    private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed) => new(
-        span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, SegmentAt(segment).EntityIndex, MoveOf(segment), RowOf(segment));
+    /// <param name="along">Length from the start of the segment, counts.</param>
+    private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed, double along = 0.0)
+    {
+        var cut = SegmentAt(segment);
+        var move = _moves.At(segment, cut.Length > 0.0 ? along / cut.Length : 0.0);
+        return new PlaybackMoment(span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, cut.EntityAt(along), move, RowOf(move));
+    }
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
 

@@ -159,7 +159,7 @@ public static class PlannedSeries
             var seconds = Math.Min(span.Start + profile.SecondsAt(path), span.End);
             var speed = kinematics.VelocityAt(piece.Segment, piece.From, fraction, path).Length;
             var acceleration = kinematics.AccelerationAt(piece.Segment, piece.From, fraction, path, inside);
-            samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityIndex, speed * SecondsPerMinute, acceleration.X, acceleration.Y, _load));
+            samples.Add(new PlannedSample(seconds, _path, piece.Segment.EntityAt(at), speed * SecondsPerMinute, acceleration.X, acceleration.Y, _load));
         }
     }
 

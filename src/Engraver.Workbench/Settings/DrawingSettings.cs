@@ -41,8 +41,12 @@ public sealed record DrawingSettings
     /// <summary>Maximum distance from a corner at which an arc rounds it, so that the machine need not stop there, mm; 0: it stops at corners.</summary>
     public double CornerToleranceMm { get; init; } = 0.01;
 
+    /// <summary>Lines and arcs that continue each other are merged in the motion program, and lines that draw a curve become arcs within
+    /// <see cref="MaxErrorMm"/>.</summary>
+    public bool FitArcs { get; init; } = true;
+
     /// <summary>How far the motion may be beside the toolpath.</summary>
-    public MotionTolerances MotionTolerances => new(MaxErrorMm, CornerToleranceMm);
+    public MotionTolerances MotionTolerances => new(MaxErrorMm, CornerToleranceMm) { FitsArcs = FitArcs };
 
     /// <summary>Drawing point at which the tool is when the job starts, mm.</summary>
     public Point2D Start { get; init; }

@@ -68,6 +68,8 @@ public static class SettingTable
         Unit = "mm", Argument = "MM", Min = 0.0, Max = 1e3, Command = "CNCCORNER", Page = SettingPage.Toolpath,
     };
 
+    public static SwitchSetting FitArcs { get; } = new("fit-arcs", s => s.FitArcs, (s, v) => s with { FitArcs = v }) { Command = "CNCFITARCS", Page = SettingPage.Toolpath };
+
     public static PointSetting Start { get; } = new("start", s => s.Start, (s, v) => s with { Start = v }) { Unit = "mm", Command = "TOOLSTART", HasOwnCommand = true };
 
     public static FinishSetting Finish { get; } = new("finish", s => s.Finish, (s, v) => s with { Finish = v }) { Command = "CNCFINISH", HasOwnCommand = true, Page = SettingPage.Toolpath };
@@ -114,7 +116,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<Setting> All { get; } =
-        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Place, Align, To, AlignTolerance, Move, Blank, Back, Cut, JoinTolerance, MaxError, CornerTolerance, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Place, Align, To, AlignTolerance, Move, Blank, Back, Cut, JoinTolerance, MaxError, CornerTolerance, FitArcs, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The setting of a key; null when there is none.</summary>
     public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);

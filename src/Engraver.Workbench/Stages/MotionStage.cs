@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Stages;
 internal sealed class MotionStage() : JobStage<PathJob, MotionJob>("Motion", share: 15)
 {
     public override IReadOnlyList<Setting> Settings =>
-        [SettingTable.MaxError, SettingTable.CornerTolerance, SettingTable.Finish, SettingTable.Machine, SettingTable.Feed, SettingTable.VectorSpeed, SettingTable.Rapid, SettingTable.Acceleration];
+        [SettingTable.MaxError, SettingTable.CornerTolerance, SettingTable.FitArcs, SettingTable.Finish, SettingTable.Machine, SettingTable.Feed, SettingTable.VectorSpeed, SettingTable.Rapid, SettingTable.Acceleration];
 
     protected override MotionJob Execute(PathJob job, CancellationToken cancellation)
     {

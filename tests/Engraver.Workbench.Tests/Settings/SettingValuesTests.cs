@@ -28,6 +28,7 @@ public class SettingValuesTests
         KeepDuplicates = true,
         RecoverArcs = true,
         CornerToleranceMm = 0.0375,
+        FitArcs = false,
         Kerf = KerfSide.Nesting,
         ToolDiameterMm = 3.175,
         Machine = MachineProfile.Default with { FeedMmPerMinute = 77.0 },

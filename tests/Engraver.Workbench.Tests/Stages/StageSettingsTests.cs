@@ -51,6 +51,7 @@ public class StageSettingsTests
         [SettingTable.Cut] = settings => settings with { Cut = (CutChoice)31 },
         [SettingTable.JoinTolerance] = settings => settings with { JoinToleranceMm = settings.JoinToleranceMm > 0.1 ? 0.01 : 0.5 },
         [SettingTable.CornerTolerance] = settings => settings with { CornerToleranceMm = settings.CornerToleranceMm > 0.015 ? 0.002 : 0.02 },
+        [SettingTable.FitArcs] = settings => settings with { FitArcs = !settings.FitArcs },
         [SettingTable.MaxError] = settings => settings with { MaxErrorMm = settings.MaxErrorMm > 0.01 ? 0.0001 : 0.05 },
         [SettingTable.Start] = settings => settings with { Start = new Point2D(30_000, 4) },
         [SettingTable.Finish] = settings => settings with { Finish = FinishPlace.Stay },

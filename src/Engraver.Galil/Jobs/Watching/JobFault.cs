@@ -1,4 +1,6 @@
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
@@ -57,8 +59,8 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         get
         {
             var at = machine.State.Position;
-            return program.SegmentAfter(ledger.Executed) is var (_, segment, stroke)
-                ? Wording.Get("JobFault.PositionOnStroke", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityIndex)
+            return program.SegmentAfter(ledger.Executed) is var (start, segment, stroke)
+                ? Wording.Get("JobFault.PositionOnStroke", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityAt(segment.Shares is null ? 0.0 : new SegmentPath(start, segment).LengthTo(new Point2D(at.X, at.Y), 0.0)))
                 : Wording.Get("JobFault.Position", at.X, at.Y);
         }
     }

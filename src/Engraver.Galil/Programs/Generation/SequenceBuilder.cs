@@ -27,6 +27,8 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     private double _length;
     private bool _changesHeight;
     private bool _hasArcs;
+    private IReadOnlyList<EntityShare>? _shares;
+    private double _along;
 
     /// <summary>Predicted position: whole counts after VP, the exact end point after CR.</summary>
     public Point2D Position { get; private set; }
@@ -83,7 +85,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     {
         if (_changesHeight) EndSequence();
         _hasArcs = true;
-        var segment = new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End) with { Z = Height }, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, course.Entity, arc.Length) { Move = course.Move };
+        var segment = new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End) with { Z = Height }, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, course.Entity, arc.Length) { Move = course.Move, Moves = course.Moves };
         Add(segment, arc.End, course.Feed, PathDirection.Of(SequenceKinematics.Direction(segment, default, 0.0)), PathDirection.Of(SequenceKinematics.Direction(segment, default, 1.0)));
     }
 
@@ -91,13 +93,17 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     {
         var end = new Point2D(target.X, target.Y);
         var length = target.Z == Height ? Position.DistanceTo(end) : double.Hypot(Position.DistanceTo(end), (double)target.Z - Height);
-        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, course.Entity, length) { Move = course.Move }, end, course.Feed, course.StartDirection, course.EndDirection);
+        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, course.Entity, length) { Move = course.Move, Moves = course.Moves }, end, course.Feed, course.StartDirection, course.EndDirection);
     }
+
+    /// <summary>The segments that follow are of this course.</summary>
+    public void BeginCourse(in PathCourse course) => (_shares, _along) = (course.Shares, 0.0);
 
     private void Add(in VectorSegment segment, Point2D end, double feed, PathDirection start, PathDirection last)
     {
         _starts.Add(Position);
-        _segments.Add(segment);
+        _segments.Add(WithShares(segment, EntityShare.Between(_shares, _along, _along + segment.Length)));
+        _along += segment.Length;
         planner.Add(segment.Length, segment.Kind == VectorSegmentKind.Line ? double.PositiveInfinity : segment.Radius, feed, start, last);
         _length += segment.Length;
         (Position, Height) = (end, segment.End.Z);
@@ -125,13 +131,17 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
         columns.Append(fastest, planner.Acceleration, _planned, _changesHeight);
     }
 
+    private static VectorSegment WithShares(in VectorSegment segment, IReadOnlyList<EntityShare>? shares) =>
+        shares is null ? segment : segment with { EntityIndex = shares[0].EntityIndex, Shares = shares.Count > 1 ? shares : null };
+
     private bool Divide(int index, SegmentSpeeds speeds)
     {
         var (from, segment) = (_starts[index], _segments[index]);
         var z = index == 0 ? _startHeight : _segments[index - 1].End.Z;
         if ((segment.Kind == VectorSegmentKind.Line ? SegmentDivision.Line(from, z, segment, speeds.Braking) : SegmentDivision.Arc(from, segment, speeds.Braking, arcs.Quantum)) is not { } parts) return false;
-        _planned.Add(parts.First with { Speed = speeds.FirstFor(parts.Last.Length, planner.Acceleration) });
-        _planned.Add(parts.Last with { Speed = speeds.Second });
+        var place = parts.First.Length;
+        _planned.Add(WithShares(parts.First, EntityShare.Between(segment.Shares, 0.0, place)) with { Speed = speeds.FirstFor(parts.Last.Length, planner.Acceleration) });
+        _planned.Add(WithShares(parts.Last, EntityShare.Between(segment.Shares, place, place + parts.Last.Length)) with { Speed = speeds.Second });
         return true;
     }
 

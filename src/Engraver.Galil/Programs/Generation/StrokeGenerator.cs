@@ -34,6 +34,7 @@ internal sealed class StrokeGenerator
     private readonly double _cornerTolerance;
     private readonly ArcCommandFit _arcFit;
     private readonly SequenceBuilder _builder;
+    private readonly CourseMerge? _merge;
     private readonly MachineProfile _profile;
     private readonly MotionStyle _style;
     private readonly PathLimits _limits;
@@ -42,6 +43,9 @@ internal sealed class StrokeGenerator
     private readonly List<PathCourse> _waiting = [];
     private bool _isRounding;
     private bool _isInsideRow;
+
+    /// <summary>The move is a row of the drawing, and not a piece of a curve that was replaced.</summary>
+    private bool _isMergeable;
     private double _lift;
     private double _trimmed;
     private CountsPoint _reached;
@@ -63,6 +67,7 @@ internal sealed class StrokeGenerator
         _limits = PathLimits.Of(profile);
         _slope = new SlopeSpeed(profile);
         _stopsAtCorners = tolerances.CornerMm == 0.0;
+        if (tolerances.FitsArcs && _scale.IsUniform) _merge = new CourseMerge(_scale.Finer.CountsOf(_maxErrorMm), Append);
         _builder = new SequenceBuilder(new SpeedPlanner(_limits, DmcLimits.AccelerationStep), _arcFit, style, columns);
     }
 
@@ -79,15 +84,20 @@ internal sealed class StrokeGenerator
         _reachedExactly = _scale.Exact(first.Segment.Start);
         _cutTo = new Point2D(_reached.X, _reached.Y);
         _waiting.Clear();
+        _merge?.Clear();
         _trimmed = 0.0;
         _builder.Begin(_reached);
         var (row, ofRow) = (0, 0);
         for (var i = 0; i < stroke.Moves.Count; i++)
         {
-            _isInsideRow = ofRow > 0;
+            var movesOfRow = row < stroke.RowMoves?.Count ? stroke.RowMoves[row] : 1;
+            (_isInsideRow, _isMergeable) = (ofRow > 0, movesOfRow == 1);
+            if (i > 0 && stroke.Moves[i].Role != stroke.Moves[i - 1].Role) _merge?.Flush();
             Move(stroke.Moves[i], i);
-            if (++ofRow >= (row < stroke.RowMoves?.Count ? stroke.RowMoves[row] : 1)) (row, ofRow) = (row + 1, 0);
+            if (++ofRow >= movesOfRow) (row, ofRow) = (row + 1, 0);
         }
+
+        _merge?.Flush();
 
         while (_waiting.Count > 0) CutFirst();
         return _builder.Finish(stroke.Index, terms);
@@ -135,9 +145,17 @@ internal sealed class StrokeGenerator
 
     private void Add(in PathCourse course)
     {
-        var feed = course.IsLevel ? _profile.VectorSpeed() : _slope.Of(course.Shape.End - course.Shape.Start, course.EndZ - course.StartZ);
-        var next = course with { Feed = feed, ContinuesCurve = _isInsideRow };
+        var next = course with { ContinuesCurve = _isInsideRow };
         _isInsideRow = false;
+        if (_merge is null) Append(next);
+        else if (_isMergeable && next is { IsLevel: true, ContinuesCurve: false, Shape.IsClosed: false }) _merge.Add(next);
+        else _merge.Pass(next);
+    }
+
+    private void Append(PathCourse course)
+    {
+        var feed = course.IsLevel ? _profile.VectorSpeed() : _slope.Of(course.Shape.End - course.Shape.Start, course.EndZ - course.StartZ);
+        var next = course with { Feed = feed };
         if (_waiting.Count > 0 && _stopsAtCorners && _style != MotionStyle.Calls && IsSharp(_waiting[^1], next) && IsCorner(_waiting[^1], next)) next = next with { IsAfterStop = true };
         _waiting.Add(next);
         if (_waiting.Count > 2) CutFirst();
@@ -182,11 +200,12 @@ internal sealed class StrokeGenerator
 
     /// <summary>The arc, where it is faster than the corner: chords of a curve are as fast without one.</summary>
     private CornerArc? Largest(in PathCourse before, in PathCourse after, (double Before, double After) most) =>
-        CornerArc.Largest(before, after, _cornerTolerance, most, DmcLimits.SmallestRadius, DmcLimits.LargestRadius) is { } arc && Math.Sqrt(_limits.OnArcs * arc.Arc.Radius) > LeastGain * SpeedThrough(before, after) ? arc : null;
+        CornerArc.Largest(before, after, _cornerTolerance, (Math.Min(most.Before, before.EndPart), Math.Min(most.After, after.StartPart)), DmcLimits.SmallestRadius, DmcLimits.LargestRadius) is { } arc && Math.Sqrt(_limits.OnArcs * arc.Arc.Radius) > LeastGain * SpeedThrough(before, after) ? arc : null;
 
     private void Cut(in PathCourse course)
     {
         _course = course;
+        _builder.BeginCourse(course);
         if (course.IsAfterStop) _builder.EndSequence();
         if (course.IsLine) _builder.Line(CountsScale.Round(course.Shape.End) with { Z = course.EndZ }, course);
         else if (course.Length >= ShortestCourse) LastPiece(course.Shape.Arc, course.Shape.End, MaxHalvings);
