@@ -50,11 +50,13 @@ public static class MotionRules
 
     public static readonly DiagnosticRule ProfileFieldIgnored = new("MOT0026", Severity.Warning, "field");
 
+    public static readonly DiagnosticRule SendingTooSlow = new("MOT0027", Severity.Warning, "count", "needed", "sent", "feed", "wanted");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
-        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall, ProfileFieldIgnored,
+        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall, ProfileFieldIgnored, SendingTooSlow,
     ];
 }

@@ -320,8 +320,8 @@ public sealed class PlannedMotion
     private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed, double along = 0.0)
     {
         var cut = SegmentAt(segment);
-        var move = _moves.At(segment, cut.Length > 0.0 ? along / cut.Length : 0.0);
-        return new PlaybackMoment(span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, cut.EntityAt(along), move, RowOf(move));
+        var move = _moves.At(segment, cut.Length > 0.0 ? (along + EndTolerance) / cut.Length : 0.0);
+        return new PlaybackMoment(span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, cut.EntityAt(along + EndTolerance), move, RowOf(move));
     }
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);

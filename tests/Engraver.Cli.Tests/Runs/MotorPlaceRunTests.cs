@@ -80,7 +80,7 @@ public sealed class MotorPlaceRunTests
             if (Link == "serial") await Controller.ServeSerialAsync(path, 19200, _limit.Token);
             var drawing = _folder.WithFile("plate.dxf", Plate());
             string[] machine = IsMill ? ["--machine", _folder.WithFile("mill.json", """{ "axisZ": "C", "countsPerMillimetreZ": 400, "toolDrive": "axis", "clearanceHeight": 5, "retractHeight": 1, "cutDepth": 0.5 }""")] : [];
-            return await CliRun.RunAsync(["run", drawing, "--connect", address, "--mode", mode, "--json", "--journal", _folder.PathOf("run.jsonl"), .. machine]);
+            return await CliRun.RunAsync(["run", drawing, "--connect", address, "--mode", mode, "--fit-arcs", "off", "--json", "--journal", _folder.PathOf("run.jsonl"), .. machine]);
         }
 
         public async ValueTask DisposeAsync()
@@ -90,7 +90,8 @@ public sealed class MotorPlaceRunTests
             _folder.Dispose();
         }
 
-        /// <summary>Two lines of 40 mm with a corner between, which a blocked motor would cut off.</summary>
+        /// <summary>Two lines of 40 mm with a corner between, which a blocked motor would cut off. The first is two lines, so that the fault is in the
+        /// middle: they stay two segments.</summary>
         private static string Plate() => string.Create(CultureInfo.InvariantCulture, $"0\nSECTION\n2\nENTITIES\n{Line(0, 0, 4, 0)}{Line(4, 0, 40, 0)}{Line(40, 0, 40, 30)}{Line(40, 30, 0, 30)}0\nENDSEC\n0\nEOF\n");
 
         private static string Line(int x1, int y1, int x2, int y2) => $"0\nLINE\n8\n0\n10\n{x1}\n20\n{y1}\n11\n{x2}\n21\n{y2}\n";

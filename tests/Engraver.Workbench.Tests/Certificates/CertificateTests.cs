@@ -131,7 +131,7 @@ public class CertificateTests
     [Fact]
     public async Task The_program_is_the_one_that_the_link_can_carry()
     {
-        using var part = new CertifiedPart { Settings = new DrawingSettings { Machine = MachineProfile.Default with { FeedMmPerMinute = 6000.0 } } };
+        using var part = new CertifiedPart { Settings = new DrawingSettings { FitArcs = false, Machine = MachineProfile.Default with { FeedMmPerMinute = 6000.0 } } };
         await File.WriteAllBytesAsync(part.File, DxfText.WithEntities([.. Enumerable.Range(0, 800).SelectMany(i => new (int, object)[] { (0, "LINE"), (10, 0.1 * i), (20, 0.0), (11, 0.1 * (i + 1)), (21, 0.0) })]).ToAscii());
         var line = new SerialAddress("/dev/ttyS0", 1200);
         var job = JobPreparation.Prepare(part.Request().Drawing, part.Settings, MotionStyle.Continuous);

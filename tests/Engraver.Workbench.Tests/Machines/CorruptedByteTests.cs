@@ -146,7 +146,7 @@ public sealed class CorruptedByteTests : IDisposable
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         await using var connection = MachineConnection.FromLink("memory", _ => Task.FromResult<IControllerLink>(new CorruptingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)), () => MachineClock.FromSimulator(controller.JoinClock()));
-        var job = Job(mode, part ?? Part());
+        var job = Job(mode, part ?? Part(), fitsArcs: part is null);
         var options = new MachineRunOptions(new TcpAddress("memory", 1), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         try
         {
@@ -159,11 +159,11 @@ public sealed class CorruptedByteTests : IDisposable
         }
     }
 
-    private PreparedJob Job(JobMode mode, byte[] part)
+    private PreparedJob Job(JobMode mode, byte[] part, bool fitsArcs)
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
         File.WriteAllBytes(path, part);
-        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings { CornerToleranceMm = 0.0 }, mode.Strategy().Style);
+        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings { CornerToleranceMm = 0.0, FitArcs = fitsArcs }, mode.Strategy().Style);
     }
 
     /// <summary>A round-ended plate with a hole, a slanting line on the negative side, and a bow of short chords: 70 mm in all.</summary>

@@ -108,6 +108,9 @@ public sealed class SpeedPlanner
         _fastest = Math.Max(_fastest, feed);
     }
 
+    /// <summary>Largest speed of a segment, counts/s.</summary>
+    public double FeedOf(int segment) => _feeds[segment];
+
     /// <summary>Limits the feed of each segment.</summary>
     /// <param name="speeds">Counts/s.</param>
     public void LimitTo(IReadOnlyList<int> speeds)

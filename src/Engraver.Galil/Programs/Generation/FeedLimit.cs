@@ -12,7 +12,7 @@ internal static class FeedLimit
     private const int Window = 256;
 
     /// <summary>Average time of a segment over any window, seconds.</summary>
-    private const double SecondsPerSegment = 0.0025;
+    public const double SecondsPerSegment = 0.0025;
 
     /// <summary>A sequence of this many segments is sent while it is cut.</summary>
     public static bool IsNeeded(int segments) => segments > SegmentsSentAhead;

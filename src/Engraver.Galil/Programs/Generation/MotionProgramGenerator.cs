@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
@@ -63,7 +64,18 @@ public static class MotionProgramGenerator
             if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
+        if (SlowSendingWarning(generators.Values, profile, Source) is { } slow) findings.Add(slow);
         return new MotionGeneration(new MotionProgram(profile, start, columns.Strokes()) { Style = style }, findings);
+    }
+
+    /// <summary>Null where the host can send every sequence at the feed that is asked.</summary>
+    private static Diagnostic? SlowSendingWarning(IReadOnlyCollection<StrokeGenerator> generators, MachineProfile profile, Func<int, SourceRef> source)
+    {
+        if (generators.Select(generator => generator.Slowest).OfType<SlowSending>().OrderBy(slow => slow.Speed / slow.Feed).FirstOrDefault() is not { Feed: > 0.0 } worst) return null;
+        var sent = 1.0 / FeedLimit.SecondsPerSegment;
+        string Feed(double countsPerSecond) => FactText.Of(Math.Round(profile.Scale.Coarser.LengthOf(60.0 * countsPerSecond), 1));
+        return MotionRules.SendingTooSlow.At(
+            source(worst.Entity), generators.Sum(generator => generator.SlowSequences).ToString(CultureInfo.InvariantCulture), FactText.Of(Math.Round(sent * worst.Feed / worst.Speed)), FactText.Of(sent), Feed(worst.Speed), Feed(worst.Feed));
     }
 
     /// <summary>The machine with the speeds of a stroke.</summary>

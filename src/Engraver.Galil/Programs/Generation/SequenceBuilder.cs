@@ -17,6 +17,9 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     /// <summary>Counts. The controller may reject a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
+    /// <summary>Step of speeds, counts/s.</summary>
+    private const int LastStep = 2;
+
     private readonly List<VectorSegment> _segments = [];
 
     /// <summary>The exact start of each segment.</summary>
@@ -58,12 +61,35 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        if (FeedLimit.IsNeeded(_segments.Count) && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) planner.LimitTo(sent);
-        planner.Plan();
+        if (FeedLimit.IsNeeded(_segments.Count) && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) PlanAsSent(sent);
+        else planner.Plan();
         Append();
         var end = _segments[^1].End;
         Position = new Point2D(end.X, end.Y);
         Clear();
+    }
+
+    /// <summary>The sequence that is slowed most by the time in which segments can be sent; null where none is.</summary>
+    public SlowSending? Slowest { get; private set; }
+
+    /// <summary>Number of sequences that are slowed by it.</summary>
+    public int SlowSequences { get; private set; }
+
+    private void PlanAsSent(int[] sent)
+    {
+        double[] feeds = [.. Enumerable.Range(0, sent.Length).Select(planner.FeedOf)];
+        planner.LimitTo(sent);
+        planner.Plan();
+        var slowest = default(SlowSending?);
+        for (var i = 0; i < sent.Length; i++)
+        {
+            if (sent[i] >= feeds[i] || planner.SpeedsOf(i).First < sent[i] - LastStep) continue; // the path itself is slower
+            if (slowest is null || sent[i] / feeds[i] < slowest.Value.Speed / slowest.Value.Feed) slowest = new SlowSending(sent[i], feeds[i], _segments[i].EntityIndex);
+        }
+
+        if (slowest is not { } found) return;
+        SlowSequences++;
+        if (Slowest is not { } other || found.Speed / found.Feed < other.Speed / other.Feed) Slowest = found;
     }
 
     /// <summary>Adds VP, divided equally if it is too long for one. A target less than a count away is not sent.</summary>

@@ -71,6 +71,12 @@ internal sealed class StrokeGenerator
         _builder = new SequenceBuilder(new SpeedPlanner(_limits, DmcLimits.AccelerationStep), _arcFit, style, columns);
     }
 
+    /// <summary>As <see cref="SequenceBuilder.Slowest"/>.</summary>
+    public SlowSending? Slowest => _builder.Slowest;
+
+    /// <summary>As <see cref="SequenceBuilder.SlowSequences"/>.</summary>
+    public int SlowSequences => _builder.SlowSequences;
+
     /// <summary>Appends a pass of the stroke, in counts.</summary>
     /// <param name="lift">Height of the pass above the depth of the stroke, millimetres; 0 for the last pass, and for a machine without a tool axis.</param>
     /// <param name="terms">How the tool is brought to the work and taken away.</param>
