@@ -1,6 +1,7 @@
 using System.Text.Json.Serialization;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.LetteredDrawings;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Cli.Output;
 
@@ -34,6 +35,9 @@ internal sealed record RunJson
     public double? CornerDeviation { get; init; }
 
     public required double? MissingLength { get; init; }
+
+    /// <summary>How much slower than planned the machine ran along its path; null where it cannot be compared.</summary>
+    public LagJson? Lag { get; init; }
 
     public required string DeviationSource { get; init; }
 
@@ -98,6 +102,18 @@ internal sealed record RunJson
     }
 
     internal sealed record ScaleJson(double X, double Y);
+
+    /// <param name="Seconds">Lost on the path, without the time at rest.</param>
+    /// <param name="Places">Where most was lost, at most five.</param>
+    internal sealed record LagJson(double Seconds, IReadOnlyList<LagPlaceJson> Places)
+    {
+        public static LagJson? From(RunLag? lag) => lag is null ? null : new(lag.Seconds, [.. lag.Places.Select(place => new LagPlaceJson(place.Place.X, place.Place.Y, place.Entity, place.Seconds, place.PlannedSpeed, place.Speed, place.PlannedAcceleration, place.Acceleration))]);
+    }
+
+    /// <summary>A part of the path on which time was lost: millimetres, seconds, mm/s and mm/s2.</summary>
+    /// <param name="X">Where it begins.</param>
+    /// <param name="Entity">Drawing entity there.</param>
+    internal sealed record LagPlaceJson(double X, double Y, int Entity, double Seconds, double PlannedSpeed, double Speed, double PlannedAcceleration, double Acceleration);
 
     /// <summary>Position of the drawing's zero, millimetres from the controller's zero.</summary>
     /// <param name="Source">work, here or given.</param>

@@ -26,6 +26,7 @@ internal static class RunReport
         MaxDeviation = report.Judgement.MaxDeviationMm,
         CornerDeviation = report.Judgement.CornerDeviationMm,
         MissingLength = report.Judgement.MissingLengthMm,
+        Lag = RunJson.LagJson.From(report.Lag),
         DeviationSource = report.Judgement.Source,
         Journal = journal,
         LeftOut = LeftOut(job),

@@ -50,7 +50,7 @@ public static class MotionRules
 
     public static readonly DiagnosticRule ProfileFieldIgnored = new("MOT0026", Severity.Warning, "field");
 
-    public static readonly DiagnosticRule SendingTooSlow = new("MOT0027", Severity.Warning, "count", "needed", "sent", "feed", "wanted");
+    public static readonly DiagnosticRule SendingTooSlow = new("MOT0027", Severity.Warning, "wanted", "needed", "sent", "count", "feed");
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =

@@ -14,6 +14,7 @@ public static class PlotCsv
         (PlotQuantity.Deviation, "deviation_mm"),
         (PlotQuantity.FeedOverride, "feed_override_percent"),
         (PlotQuantity.LinkLoad, "link_load_percent"),
+        (PlotQuantity.Lag, "lag_s"),
     ];
 
     /// <summary>Writes all quantities that are known of any of the motions, also those of plots that are not visible.</summary>

@@ -6,7 +6,7 @@ public sealed class PlotPanel
     /// <summary>The plots at the first start: speed, acceleration, following error and deviation.</summary>
     public const int DefaultMask = 1 + 2 + 4 + 8;
 
-    public const int FullMask = 63;
+    public const int FullMask = 127;
 
     private PlotPanel(string key, int mask, params IReadOnlyList<PlotQuantity> quantities) => (Key, Mask, Quantities) = (key, mask, quantities);
 
@@ -19,6 +19,7 @@ public sealed class PlotPanel
         new("Deviation", 8, PlotQuantity.Deviation),
         new("FeedOverride", 16, PlotQuantity.FeedOverride),
         new("LinkLoad", 32, PlotQuantity.LinkLoad),
+        new("Lag", 64, PlotQuantity.Lag),
     ];
 
     /// <summary>Name of the plot; its title is a text.</summary>

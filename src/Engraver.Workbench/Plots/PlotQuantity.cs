@@ -23,4 +23,7 @@ public enum PlotQuantity
 
     /// <summary>Time in which the command handle is busy with an exchange, percent of the elapsed time.</summary>
     LinkLoad,
+
+    /// <summary>Time by which a run is behind its plan on the path so far, without the time at rest, seconds.</summary>
+    Lag,
 }

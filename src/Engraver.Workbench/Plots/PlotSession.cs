@@ -69,8 +69,8 @@ public sealed class PlotSession(DerivationSession derivation, MachineSession mac
         var recorded = machine.Runs.Recorded is { } last && IsOfDrawing(last) ? last : null;
         var series = new List<PlotSeries>();
         if (_plan.Of(current.Motion, current.Line, Sampled, cancellation) is { Count: > 0 } plan) series.Add(new PlotSeries(PlotRole.Plan, "", plan));
-        if (_run.Of(recorded, null, run => TraceSeries.From(run.Trace), cancellation) is { Count: > 0 } run) series.Add(new PlotSeries(PlotRole.Run, "", run));
-        if (_comparedSeries.Of(compared?.Run, null, run => TraceSeries.From(run.Trace), cancellation) is { Count: > 0 } other) series.Add(new PlotSeries(PlotRole.Compared, Path.GetFileNameWithoutExtension(compared!.Value.Journal), other));
+        if (_run.Of(recorded, null, TraceSeries.From, cancellation) is { Count: > 0 } run) series.Add(new PlotSeries(PlotRole.Run, "", run));
+        if (_comparedSeries.Of(compared?.Run, null, TraceSeries.From, cancellation) is { Count: > 0 } other) series.Add(new PlotSeries(PlotRole.Compared, Path.GetFileNameWithoutExtension(compared!.Value.Journal), other));
         var limits = (current.Job ?? recorded?.Job) is { } job ? PlotLimit.Of(job) : [];
         return PlotContent.Create(settings.PlotAxis(), settings.ChosenPlots(), series, limits);
 

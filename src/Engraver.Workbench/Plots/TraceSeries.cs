@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Plots;
 
@@ -17,7 +18,15 @@ public static class TraceSeries
 
     private const double Percent = 100.0;
 
-    public static MotionSeries From(RunTrace trace)
+    /// <summary>The series of a run, with its lag where it can be compared with the plan.</summary>
+    public static MotionSeries From(RecordedRun run)
+    {
+        ArgumentNullException.ThrowIfNull(run);
+        return From(run.Trace, run.Job.Motion.Program is { } program ? RunLag.Of(program, run.Trace) : null);
+    }
+
+    /// <param name="lag">Of this trace; null where it is not known.</param>
+    public static MotionSeries From(RunTrace trace, RunLag? lag = null)
     {
         ArgumentNullException.ThrowIfNull(trace);
         var places = trace.Places;
@@ -41,6 +50,7 @@ public static class TraceSeries
         AddKnown(PlotQuantity.FollowingError, place => place.FollowingMm);
         AddKnown(PlotQuantity.FeedOverride, place => place.Conditions.FeedRatio * Percent);
         AddKnown(PlotQuantity.LinkLoad, place => place.Conditions.LinkLoad * Percent);
+        if (lag is not null) values.Add((PlotQuantity.Lag, [.. lag.Behind]));
         return new MotionSeries(seconds, path, null, values);
 
         void AddKnown(PlotQuantity quantity, Func<RunTracePlace, double?> valueOf)

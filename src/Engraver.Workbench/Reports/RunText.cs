@@ -11,6 +11,10 @@ public static class RunText
     /// <summary>Minimum displayed length, millimetres; a shorter one would be shown as 0.</summary>
     private const double MinShown = 0.001;
 
+    /// <summary>A smaller lag is not stated, seconds and part of the planned time.</summary>
+    private const double MinLag = 0.1;
+    private const double MinLagShare = 0.01;
+
     /// <param name="spell">Names settings for the front end (<see cref="SettingWording"/>).</param>
     public static string Sentence(PreparedJob job, MachineRunReport report, Func<string, string> spell)
     {
@@ -24,6 +28,11 @@ public static class RunText
 
     /// <summary>Number of entities of the drawing and its blocks that could not be converted to curves.</summary>
     public static int RefusedCount(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
+
+    /// <summary>Where the machine was slower than planned; null where it lost little.</summary>
+    private static string? LagClause(MachineRunReport report) => report.Lag is { Places: [var most, ..] } lag && lag.Seconds >= Math.Max(MinLag, MinLagShare * report.PlannedSeconds)
+        ? Wording.Get("RunText.Lag", lag.Seconds, most.Place.X, most.Place.Y, most.Seconds, most.Speed, most.PlannedSpeed)
+        : null;
 
     /// <summary>The deviation, the cut part of the drawing, and restrictions of both.</summary>
     private static List<string> Findings(MachineRunReport report, int leftOut, NotCutFindings notCut)
@@ -43,6 +52,7 @@ public static class RunText
             _ when leftOut > 0 => Wording.Get("RunText.AllThatWasReadCut"),
             _ => Wording.Get(notCut.Counts.Count > 0 ? "RunText.AllCurvesCut" : "RunText.WholeDrawingCut"),
         });
+        if (LagClause(report) is { } lag) findings.Add(lag);
         if (leftOut > 0) findings.Add(Wording.Count("RunText.EntitiesLeftOut", leftOut));
         if (isOpenLoop) findings.Add(Wording.Get("RunText.OpenLoop", string.Join(", ", openLoop)));
         return findings;

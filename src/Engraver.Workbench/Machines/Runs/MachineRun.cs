@@ -101,6 +101,7 @@ public static class MachineRun
             Section = section,
             ToleranceMm = RunVerdict.Tolerance(job, placement.Program, judged.Judgement),
             Trace = judged.Trace,
+            Lag = judged.Trace is { } trace && !options.DryRun ? RunLag.Of(placement.Program, trace) : null,
             IsDryRun = options.DryRun,
             ResumedFrom = options.Resume is null ? null : beginning.Place,
             Journal = options.JournalPath,

@@ -31,6 +31,9 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>The trace of the machine; null if unknown.</summary>
     public RunTrace? Trace { get; init; }
 
+    /// <summary>Where the machine was slower than planned; null if it cannot be compared, or for a dry run.</summary>
+    public RunLag? Lag { get; init; }
+
     /// <summary>Path of the run's journal; null for a run that was refused before its start.</summary>
     public string? Journal { get; init; }
 
