@@ -30,8 +30,10 @@ public sealed class PlannedMotion
     private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity and by move of the toolpath: its first segment plus one; 0 for none. Created on demand.</summary>
-    private readonly Lazy<int[]> _segmentOfEntity;
+    /// <summary>By drawing entity its first move that is cut. Created on demand.</summary>
+    private readonly Lazy<Dictionary<int, int>> _moveOfEntity;
+
+    /// <summary>By move of the toolpath its first segment plus one; 0 for none. Created on demand.</summary>
     private readonly Lazy<int[]> _segmentOfMove;
 
     /// <summary>The profile of the last query; replaced as a whole, so that any thread may query.</summary>
@@ -47,7 +49,7 @@ public sealed class PlannedMotion
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
         NumberSegments();
-        _segmentOfEntity = new Lazy<int[]>(SegmentsOfEntities);
+        _moveOfEntity = new Lazy<Dictionary<int, int>>(MovesOfEntities);
         _segmentOfMove = new Lazy<int[]>(FirstSegments);
     }
 
@@ -85,46 +87,31 @@ public sealed class PlannedMotion
     }
 
     /// <summary>Start time of the first segment of a drawing entity; null if it is not cut.</summary>
-    public double? TimeOfEntity(int entity)
-    {
-        if (First(_segmentOfEntity.Value, entity) is not { } segment) return null;
-        var (shares, along) = (SegmentAt(segment).Shares, 0.0);
-        for (var i = 0; i < shares?.Count && shares[i].EntityIndex != entity; i++) along += shares[i].Length;
-        return TimeAlong(segment, along);
-    }
+    public double? TimeOfEntity(int entity) => _moveOfEntity.Value.TryGetValue(entity, out var move) ? TimeOfMove(move) : null;
 
     /// <summary>The spans of time in which any of these drawing entities is cut, in their order. Takes linear time.</summary>
     public IReadOnlyList<(double Start, double End)> TimesOf(IReadOnlyCollection<int> entities)
     {
         ArgumentNullException.ThrowIfNull(entities);
         var wanted = entities.ToHashSet();
-        var first = wanted.Min(entity => First(_segmentOfEntity.Value, entity)) ?? int.MaxValue;
-        if (first == int.MaxValue) return [];
-        var (times, start, at) = (new List<(double, double)>(), -1.0, 0);
+        var first = wanted.Min(entity => _moveOfEntity.Value.TryGetValue(entity, out var move) ? First(_segmentOfMove.Value, move) : null) ?? int.MaxValue;
+        var (times, start) = (new List<(double, double)>(), -1.0);
         for (var number = 0; number < _firstSegments.Length; number++)
         {
-            var (stroke, sequence) = PlaceOf(_firstSegments[number]);
-            var segments = _program.Strokes[stroke].Sequences[sequence].Segments;
-            for (var i = 0; i < segments.Count; i++, at++)
+            var end = number + 1 < _firstSegments.Length ? _firstSegments[number + 1] : SegmentCount;
+            for (var segment = Math.Max(first, _firstSegments[number]); segment < end; segment++)
             {
-                if (at < first && start < 0) continue;
-                var (segment, along) = (segments[i], 0.0);
-                for (var part = 0; part < (segment.Shares?.Count ?? 1); part++)
+                for (var move = _moves.FirstOf(segment); move <= _moves.LastOf(segment); move++)
                 {
-                    var share = segment.Shares?[part] ?? new EntityShare(segment.EntityIndex, segment.Length);
-                    var isOfEntity = wanted.Contains(share.EntityIndex);
-                    if (isOfEntity && start < 0) start = TimeAlong(at, along);
-                    if (!isOfEntity && start >= 0)
-                    {
-                        times.Add((start, TimeAlong(at, along)));
-                        start = -1.0;
-                    }
-
-                    along += share.Length;
+                    var isOfEntity = wanted.Contains(_moves.EntityOf(move));
+                    if (isOfEntity == start >= 0.0) continue;
+                    var at = TimeAlong(segment, _moves.StartOf(segment, move) * SegmentAt(segment).Length);
+                    if (!isOfEntity) times.Add((start, at));
+                    start = isOfEntity ? at : -1.0;
                 }
             }
 
-            if (start < 0) continue;
+            if (start < 0.0) continue;
             times.Add((start, _timeline.CutOf(number).End));
             start = -1.0;
         }
@@ -222,23 +209,15 @@ public sealed class PlannedMotion
         }
     }
 
-    private int[] SegmentsOfEntities()
+    private Dictionary<int, int> MovesOfEntities()
     {
-        var (next, first) = (0, Array.Empty<int>());
-        void Note(int entity)
+        var moves = new Dictionary<int, int>();
+        for (var move = 0; move < _segmentOfMove.Value.Length; move++)
         {
-            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _moves.Count)));
-            if (entity >= 0 && first[entity] == 0) first[entity] = next;
+            if (_segmentOfMove.Value[move] != 0) moves.TryAdd(_moves.EntityOf(move), move);
         }
 
-        foreach (var segment in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments))
-        {
-            next++;
-            Note(segment.EntityIndex);
-            for (var i = 1; i < segment.Shares?.Count; i++) Note(segment.Shares[i].EntityIndex);
-        }
-
-        return first;
+        return moves;
     }
 
     /// <summary>For each move its first segment plus one. With several passes moves repeat.</summary>
@@ -321,7 +300,7 @@ public sealed class PlannedMotion
     {
         var cut = SegmentAt(segment);
         var move = _moves.At(segment, cut.Length > 0.0 ? (along + EndTolerance) / cut.Length : 0.0);
-        return new PlaybackMoment(span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, cut.EntityAt(along + EndTolerance), move, RowOf(move));
+        return new PlaybackMoment(span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, _moves.EntityOf(move), move, RowOf(move));
     }
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);

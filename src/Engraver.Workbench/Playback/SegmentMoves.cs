@@ -14,14 +14,17 @@ internal sealed class SegmentMoves
     /// <summary>For a segment of several moves: the fractions of it at which the second one begins, the third one ...</summary>
     private readonly Dictionary<int, double[]> _starts = [];
 
-    private SegmentMoves(int segments) => _first = new int[segments];
+    /// <summary>Drawing entity of each move.</summary>
+    private readonly int[] _entities;
+
+    private SegmentMoves(int segments, Toolpath path) => (_first, _entities) = (new int[segments], [.. path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.EntityIndex)]);
 
     public int Count => _first.Length;
 
     /// <param name="path">Source of the program.</param>
     public static SegmentMoves Map(MotionProgram program, Toolpath path)
     {
-        var moves = new SegmentMoves(program.SegmentCount);
+        var moves = new SegmentMoves(program.SegmentCount, path);
         var firstMoves = FirstMoves(path);
         var at = 0;
         foreach (var stroke in program.Strokes)
@@ -45,6 +48,9 @@ internal sealed class SegmentMoves
 
     /// <summary>The move at the end of a segment.</summary>
     public int LastOf(int segment) => _first[segment] + (_starts.TryGetValue(segment, out var starts) ? starts.Length : 0);
+
+    /// <summary>The drawing entity of a move.</summary>
+    public int EntityOf(int move) => _entities[move];
 
     /// <summary>The move at a fraction of a segment.</summary>
     public int At(int segment, double fraction)
