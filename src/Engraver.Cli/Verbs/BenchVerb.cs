@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Benchmarks.Links;
 using Engraver.Benchmarks.Offsets;
+using Engraver.Benchmarks.Plans;
 using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Posts;
 using Engraver.Benchmarks.Stages;
@@ -37,6 +38,7 @@ internal static class BenchVerb
         command.Subcommands.Add(Trajectories(host));
         command.Subcommands.Add(Offsets(host));
         command.Subcommands.Add(Pockets(host));
+        command.Subcommands.Add(Plans(host));
         command.Subcommands.Add(Posts(host));
         return command;
     }
@@ -94,6 +96,19 @@ internal static class BenchVerb
         {
             await WriteAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
             foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await WriteAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    /// <summary><c>engraver bench plans</c>: processor time of motion programs.</summary>
+    private static Command Plans(VerbHost host)
+    {
+        var command = new Command("plans", Wording.Get("Bench.Plans"));
+        command.SetAction(async (_, stop) =>
+        {
+            await WriteAsync(host, PlanBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in PlanBenchmark.Rows(stop)) await WriteAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;

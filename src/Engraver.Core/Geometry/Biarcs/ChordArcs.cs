@@ -196,7 +196,7 @@ public sealed class ChordArcs(double tolerance, double smallestRadius, double la
     private bool IsLegal(in TangentArc arc) => Math.Abs(arc.Curvature) * smallestRadius <= 1.0;
 
     /// <summary>True when no point of the chords is farther than the tolerance from the arc, they follow it forwards, and once. Arc and chords begin and end
-    /// beside each other, so that no point of the arc is farther from them either.</summary>
+    /// beside each other: no point of the arc is farther from them either.</summary>
     private bool IsWithin(ReadOnlySpan<Point2D> vertices, in TangentArc arc)
     {
         var (side, before, length) = (Math.Sign(arc.Curvature), Outside(vertices[0], arc), 0.0);

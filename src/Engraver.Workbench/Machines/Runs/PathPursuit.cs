@@ -23,7 +23,7 @@ internal sealed class PathPursuit(MotionProgram program)
     /// <param name="following">Distance of the motors from their commanded position, counts.</param>
     /// <param name="reach">Longest way since the last position, counts.</param>
     /// <returns>Null where it is not on the path ahead.</returns>
-    public PathPlace? Find(Point2D counts, double following, double reach)
+    public PursuedPlace? Find(Point2D counts, double following, double reach)
     {
         var tolerance = OnPath + following;
         var isLost = _missed >= Patience;
@@ -42,6 +42,7 @@ internal sealed class PathPursuit(MotionProgram program)
             if (path.DistanceTo(counts) <= tolerance)
             {
                 var along = path.LengthTo(counts, tolerance);
+                if (ahead == 0.0 && along < from.Along - tolerance && EndOf(cursor.Segment).DistanceTo(counts) <= tolerance) along = cursor.Segment.Length; // of a whole turn
                 if (ahead > 0.0 || along >= from.Along - tolerance) return cursor with { Along = Math.Max(along, ahead > 0.0 ? 0.0 : from.Along) };
             }
 
@@ -51,11 +52,13 @@ internal sealed class PathPursuit(MotionProgram program)
         return null;
     }
 
-    private PathPlace Planned()
+    private static Point2D EndOf(in VectorSegment segment) => new(segment.End.X, segment.End.Y);
+
+    private PursuedPlace Planned()
     {
         if (_profile is null || _profiled != (_at.Stroke, _at.Sequence)) (_profile, _profiled) = (SequenceProfile.Of(_at.Whole, program.Profile), (_at.Stroke, _at.Sequence));
         var path = _at.Before + _at.Along;
-        return new PathPlace(_profiled, _at.Index, _at.Segment.EntityAt(_at.Along), path, _profile.SecondsAt(path), _profile.SpeedAt(path));
+        return new PursuedPlace(_profiled, _at.Segment.EntityAt(_at.Along), path, _profile.Length - path, _profile.SecondsAt(path), _profile.SpeedAt(path));
     }
 
     /// <summary>A place on a segment of the program.</summary>
@@ -105,9 +108,9 @@ internal sealed class PathPursuit(MotionProgram program)
 
 /// <summary>A place on a sequence with its plan.</summary>
 /// <param name="Sequence">Indices of stroke and sequence.</param>
-/// <param name="Segment">Index in the sequence.</param>
 /// <param name="Entity">Drawing entity.</param>
 /// <param name="Path">Length from the start of the sequence, counts.</param>
+/// <param name="Left">Length to its end, counts.</param>
 /// <param name="Seconds">Planned time from the start of the sequence.</param>
 /// <param name="Speed">Planned, counts/s.</param>
-internal readonly record struct PathPlace((int Stroke, int Sequence) Sequence, int Segment, int Entity, double Path, double Seconds, double Speed);
+internal readonly record struct PursuedPlace((int Stroke, int Sequence) Sequence, int Entity, double Path, double Left, double Seconds, double Speed);

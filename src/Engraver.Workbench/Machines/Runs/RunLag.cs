@@ -19,6 +19,9 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
     /// <summary>Shortest time between two positions that are compared, seconds: positions are whole counts.</summary>
     private const double MinStep = 0.01;
 
+    /// <summary>A machine this near to the start or the end of a sequence is at rest there, counts.</summary>
+    private const double AtRest = 1.0;
+
     /// <summary>Part of the planned time, and seconds, that must be lost between two positions of a slow part.</summary>
     private const double SlowShare = 0.02;
     private const double SlowSeconds = 0.0005;
@@ -46,7 +49,7 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
         private readonly CountsScale _scale = program.Profile.Scale;
         private readonly List<LagPlace> _slow = [];
         private readonly double _fastest = program.Strokes.SelectMany(stroke => stroke.Sequences).Max(sequence => sequence.Speed);
-        private (RunTracePlace Seen, PathPlace Planned)? _last;
+        private (RunTracePlace Seen, PursuedPlace Planned)? _last;
         private SlowPart _part;
         private double _speed = double.NaN;
 
@@ -64,7 +67,6 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
             }
 
             var waited = _last is { } last ? seen.Seconds - last.Seen.Seconds : 0.0;
-            if (_last is not null && waited < MinStep) return Lost;
             var counts = _scale.Exact(seen.Place);
             var reach = ((_last is null ? MinStep : waited) * 2.0 * _fastest) + 10.0;
             if (_pursuit.Find(counts, _scale.Finer.CountsOf(seen.FollowingMm ?? 0.0), reach) is not { } planned)
@@ -73,8 +75,17 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
                 return double.NaN;
             }
 
-            if (_last is { } before && before.Planned.Sequence == planned.Sequence) Compare(before, (seen, planned), waited);
-            else End();
+            if (_last is { } before && before.Planned.Sequence == planned.Sequence)
+            {
+                if (IsResting(before.Planned, planned)) End();
+                else if (waited < MinStep && planned.Left > AtRest) return Lost;
+                else Compare(before, (seen, planned), waited);
+            }
+            else
+            {
+                End();
+            }
+
             _last = (seen, planned);
             return Lost;
         }
@@ -85,7 +96,10 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
             return [.. _slow.OrderByDescending(place => place.Seconds).Take(MaxPlaces)];
         }
 
-        private void Compare((RunTracePlace Seen, PathPlace Planned) before, (RunTracePlace Seen, PathPlace Planned) now, double took)
+        /// <summary>The tool settles before the path or after it.</summary>
+        private static bool IsResting(in PursuedPlace before, in PursuedPlace now) => (before.Path <= AtRest && now.Path <= AtRest) || before.Left <= AtRest;
+
+        private void Compare((RunTracePlace Seen, PursuedPlace Planned) before, (RunTracePlace Seen, PursuedPlace Planned) now, double took)
         {
             IsKnown = true;
             var ratio = now.Seen.Conditions.FeedRatio is > 0.0 and var overridden ? overridden : 1.0;

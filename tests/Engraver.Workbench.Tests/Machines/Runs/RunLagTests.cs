@@ -38,7 +38,7 @@ public sealed class RunLagTests
         Assert.Equal((20.0, 10.0), (Math.Round(most.PlannedSpeed), Math.Round(most.Speed)));
     }
 
-    /// <summary>An override of the operator is no lag.</summary>
+    /// <summary>An override of the operator does not count as lag.</summary>
     [Fact]
     public void An_override_counts_as_planned()
     {
@@ -69,6 +69,7 @@ public sealed class RunLagTests
         foreach (var sequence in s_program.Strokes.SelectMany(stroke => stroke.Sequences))
         {
             var (profile, planned) = (SequenceProfile.Of(sequence, s_program.Profile), 0.0);
+            for (var settling = 0; settling < 50; settling++, seconds += Step) places.Add(new RunTracePlace(seconds, At(sequence, 0.0), true, 0.0) { Conditions = conditions });
             while (planned < profile.Seconds)
             {
                 var place = At(sequence, profile.PathAt(planned));
@@ -77,6 +78,7 @@ public sealed class RunLagTests
                 seconds += Step;
             }
 
+            for (var settling = 0; settling < 50; settling++, seconds += Step) places.Add(new RunTracePlace(seconds, At(sequence, sequence.Length), true, 0.0) { Conditions = conditions });
             places.Add(new RunTracePlace(seconds, places[^1].Place, false, 0.0));
             seconds += 1.0;
         }
