@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -37,6 +38,24 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
         if (!_heartbeat.IsDue()) return reply;
         var beat = await session.Commands.SendAsync(_beat, order.ToSend()).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
+    }
+
+    /// <summary>Sends the next of these segments, on a serial line as many as one line takes. A rejection is returned and does not end the job.</summary>
+    /// <param name="segments">Those that may be sent, in order; at least one.</param>
+    public async ValueTask<SentSegments> ReplyAsync(IEnumerable<string> segments)
+    {
+        var first = segments.First();
+        if (session.Line is not { } line) return SentSegments.One(await ReplyAsync(first).ConfigureAwait(false), first);
+        var beats = SegmentLines.Fit(line, _beat, first) && _heartbeat.IsDueWithSegments() ? 1 : 0;
+        var statements = SegmentLines.Next(line, beats > 0 ? _beat : null, segments);
+        if (statements.Count == 1) return SentSegments.One(await ReplyAsync(first).ConfigureAwait(false), first);
+        var text = string.Join(';', statements);
+        var bytes = text.Length + 1 + statements.Count;
+        if (IsBeatDueBefore(bytes) && await session.Commands.SendAsync(_beat, order.ToSend()).ConfigureAwait(false) is Rejected unbeaten) return new SentSegments(unbeaten, 0, statements.Count - beats, 0);
+        var reply = await session.Commands.SendWholeAsync(text, order.ToSend()).ConfigureAwait(false);
+        if (reply is not Rejected refused) progress.Acted();
+        else return new SentSegments(reply, Math.Max(0, refused.Part - beats), statements.Count - beats, bytes);
+        return new SentSegments(reply, statements.Count - beats, statements.Count - beats, bytes);
     }
 
     /// <summary>Sends the heartbeat if it is due.</summary>
@@ -96,4 +115,17 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     }
 
     private bool IsBeatDueBefore(int bytes) => session.Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
+}
+
+/// <summary>What became of a line of segments.</summary>
+/// <param name="Reply">The reply to the line, or to the heartbeat before it.</param>
+/// <param name="Accepted">Segments that are in the buffer, from the first of the line.</param>
+/// <param name="Sent">Segments of the line.</param>
+/// <param name="Bytes">Bytes of the line and its prompts.</param>
+internal readonly record struct SentSegments(Reply Reply, int Accepted, int Sent, int Bytes)
+{
+    /// <summary>Bytes of CR and prompt.</summary>
+    private const int FrameBytes = 2;
+
+    public static SentSegments One(Reply reply, string segment) => new(reply, reply is Accepted ? 1 : 0, 1, segment.Length + FrameBytes);
 }

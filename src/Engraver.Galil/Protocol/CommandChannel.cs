@@ -57,7 +57,7 @@ public sealed class CommandChannel : IAsyncDisposable
     public async ValueTask CompareEchoAsync(CancellationToken cancellation)
     {
         if (await SendAsync("EO 1", cancellation).ConfigureAwait(false) is Rejected) return;
-        if (await SendAsync(EchoProbe, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && said.StartsWith(EchoProbe, StringComparison.Ordinal)) _wire.CompareEcho();
+        if (await SendAsync(EchoProbe, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && said.StartsWith(EchoProbe, StringComparison.Ordinal)) _wire.CompareEcho(hasLineEnd: said.AsSpan(EchoProbe.Length) is ['\r' or '\n', ..]);
     }
 
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
@@ -84,6 +84,20 @@ public sealed class CommandChannel : IAsyncDisposable
         }
 
         return refused ?? (data.Count == 0 ? Accepted.Silent : (Reply)new Accepted(string.Join('\n', data)));
+    }
+
+    /// <summary>Sends a line whose statements are answered by prompts alone, whole also where echoes are compared: one exchange for all of them.</summary>
+    /// <param name="line">Without colons, question marks and quotes.</param>
+    /// <returns>The first refused statement makes the reply a <see cref="Rejected"/>. Whether the controller executed those after it is then not known: how many
+    /// of them it answers is not confirmed (galil-dmc.md A.3), and either is accepted.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    /// <exception cref="EchoException">The echo differs from the sent line; the stop can still be sent.</exception>
+    /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>, or its statements are not answered by prompts alone.</exception>
+    public ValueTask<Reply> SendWholeAsync(string line, CancellationToken cancellation)
+    {
+        var text = CommandLine.Checked(line);
+        if (text.AsSpan().ContainsAny(':', '?', '"')) throw new ArgumentException($"'{line}' is not answered by prompts alone.", nameof(line));
+        return InTurnAsync(() => ExchangeWholeAsync(text, CommandLine.Parts(text), cancellation), cancellation);
     }
 
     /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is empty.</summary>
@@ -119,18 +133,38 @@ public sealed class CommandChannel : IAsyncDisposable
 
     public ValueTask DisposeAsync() => _wire.DisposeAsync(); // the turn is left to the garbage collector: a stop may still wait for it, and gets the wire's failure
 
-    private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
+    private ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation) => InTurnAsync(
+        async () =>
+        {
+            var isDownload = text.EndsWith('\\');
+            var cutShort = await _wire.WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
+            (var data, var refused) = await ReadPartsAsync(text, isDownload).ConfigureAwait(false);
+            if (cutShort) throw new OperationCanceledException(cancellation);
+            if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused], refused).ConfigureAwait(false);
+            return data.Length == 0 ? Accepted.Silent : new Accepted(shape == ReplyShape.Text ? Trimmed(data) : data);
+        },
+        cancellation);
+
+    private async ValueTask<Reply> ExchangeWholeAsync(string text, IReadOnlyList<string> parts, CancellationToken cancellation)
+    {
+        await _wire.WriteAsync(text, false, ReplyShape.Text, 0, _replyTimeout, cancellation, new EarlyPrompts(parts.Count, 0)).ConfigureAwait(false);
+        for (var part = 0; part < parts.Count; part++)
+        {
+            if (await _wire.ReadFrameAsync(text).ConfigureAwait(false) is { Accepted: true }) continue;
+            await _wire.AwaitEchoAsync(text).ConfigureAwait(false);
+            return await FetchReasonAsync(parts[part], part, parts.Count - part - 1).ConfigureAwait(false);
+        }
+
+        return Accepted.Silent;
+    }
+
+    private async ValueTask<Reply> InTurnAsync(Func<ValueTask<Reply>> exchange, CancellationToken cancellation)
     {
         await _turn.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
             if (_wire.Failure is { } failure) throw new ControllerLinkException(failure.Message, failure);
-            var isDownload = text.EndsWith('\\');
-            var cutShort = await _wire.WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
-            (var data, var refused) = await ReadPartsAsync(text, isDownload).ConfigureAwait(false);
-            if (cutShort) throw new OperationCanceledException(cancellation);
-            if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused]).ConfigureAwait(false);
-            return data.Length == 0 ? Accepted.Silent : new Accepted(shape == ReplyShape.Text ? Trimmed(data) : data);
+            return await exchange().ConfigureAwait(false);
         }
         finally
         {
@@ -167,12 +201,15 @@ public sealed class CommandChannel : IAsyncDisposable
     private static string Trimmed(string data) => data.Replace("\r\n", "\n", StringComparison.Ordinal).Trim();
 
     /// <summary>A <c>?</c> gives no reason; TC1 returns number and text of the reason and clears them.</summary>
-    private async ValueTask<Rejected> FetchReasonAsync(string command)
+    /// <param name="part">Index of the refused command in its line.</param>
+    /// <param name="late">The most prompts that may come before the reply to TC1: those of the statements after the refused one.</param>
+    private async ValueTask<Rejected> FetchReasonAsync(string command, int part, int late = 0)
     {
-        await _wire.WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
+        await _wire.WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None, new EarlyPrompts(0, late)).ConfigureAwait(false);
         var frame = await _wire.ReadFrameAsync("TC1").ConfigureAwait(false);
+        for (; late > 0 && frame.Data.Length == 0; late--) frame = await _wire.ReadFrameAsync("TC1").ConfigureAwait(false);
         if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
             throw _wire.Fail(new ProtocolViolationException(Wording.Get("CommandChannel.InvalidReplyToTC1", _wire.Description, command, Trimmed(frame.Data))));
-        return new Rejected(code, text, command);
+        return new Rejected(code, text, command) { Part = part };
     }
 }

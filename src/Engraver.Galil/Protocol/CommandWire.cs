@@ -75,7 +75,8 @@ internal sealed class CommandWire : IAsyncDisposable
     public Action<string>? MessageReceived { get; set; }
 
     /// <summary>From here on every command is compared with its echo.</summary>
-    public void CompareEcho() => _echo = new LineEcho();
+    /// <param name="hasLineEnd">The end of a line is echoed.</param>
+    public void CompareEcho(bool hasLineEnd) => _echo = new LineEcho(hasLineEnd);
 
     /// <summary>The exchange has ended: its time-out no longer applies.</summary>
     public void EndExchange()
@@ -84,13 +85,14 @@ internal sealed class CommandWire : IAsyncDisposable
         _underWay = Exchange.None;
     }
 
+    /// <param name="prompts">Those that may come before the end of the echo.</param>
     /// <returns>True when a download was ended early.</returns>
-    public async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
+    public async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation, EarlyPrompts prompts = default)
     {
         await WritingAsync(text).ConfigureAwait(false);
         try
         {
-            if (!isDownload || Line is null) await PutAsync(text, shape, recordLength, timeout).ConfigureAwait(false);
+            if (!isDownload || Line is null) await PutAsync(text, shape, recordLength, timeout, prompts).ConfigureAwait(false);
             else return await WriteInPortionsAsync(Begin(text, shape, recordLength, timeout), text, cancellation).ConfigureAwait(false);
             return false;
         }
@@ -213,18 +215,18 @@ internal sealed class CommandWire : IAsyncDisposable
     }
 
     /// <summary>Writes a line or a download. The caller holds <see cref="_writing"/>.</summary>
-    private async ValueTask PutAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
+    private async ValueTask PutAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, EarlyPrompts prompts = default)
     {
-        var count = Begin(text, shape, recordLength, timeout);
+        var count = Begin(text, shape, recordLength, timeout, prompts);
         await WriteAsync(_sent.AsMemory(0, count), text).ConfigureAwait(false);
     }
 
     /// <returns>The number of bytes to send.</returns>
-    private int Begin(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
+    private int Begin(string text, ReplyShape shape, int recordLength, TimeSpan timeout, EarlyPrompts prompts = default)
     {
         var isDownload = text.EndsWith('\\');
         _trace?.Write(_name, '>', text);
-        Expect(shape, recordLength, isDownload);
+        Expect(shape, recordLength, isDownload, prompts);
         _underWay = isDownload || shape is ReplyShape.Upload or ReplyShape.Record ? Exchange.Transfer : Exchange.Command;
         if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
         var count = Encoding.Latin1.GetBytes(text, _sent);
@@ -234,10 +236,10 @@ internal sealed class CommandWire : IAsyncDisposable
         return count;
     }
 
-    private void Expect(ReplyShape shape, int recordLength, bool isDownload)
+    private void Expect(ReplyShape shape, int recordLength, bool isDownload, EarlyPrompts prompts = default)
     {
         _framer.Expect(shape, recordLength);
-        _echo?.Begin(isDownload);
+        _echo?.Begin(isDownload, prompts);
     }
 
     private async ValueTask<bool> WriteInPortionsAsync(int count, string text, CancellationToken cancellation)
@@ -290,6 +292,16 @@ internal sealed class CommandWire : IAsyncDisposable
                 return frame;
             }
 
+            await ReadSomeAsync(text).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Waits until all characters of the line have been echoed.</summary>
+    public async ValueTask AwaitEchoAsync(string text)
+    {
+        while (_echo is { IsComplete: false, UrgentDifference: null })
+        {
+            if (_echo.Difference is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
             await ReadSomeAsync(text).ConfigureAwait(false);
         }
     }

@@ -8,6 +8,9 @@ namespace Engraver.Galil.Protocol;
 /// <param name="Command">The refused command.</param>
 public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
 {
+    /// <summary>Index of the refused command in its line.</summary>
+    public int Part { get; init; }
+
     /// <summary>One sentence for the operator: the refused command, code and text, and the meaning of the code.</summary>
     public string Explain() => Wording.Get("Reply.Refused", Command, (int)Code, Text, TcCodes.Hint(Code));
 

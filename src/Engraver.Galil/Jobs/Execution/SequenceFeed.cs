@@ -33,9 +33,6 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>While the buffer is full, pauses last the time of the buffered motion divided by this.</summary>
     private const double RestShare = 4.0;
 
-    /// <summary>Bytes of CR and prompt.</summary>
-    private const int FrameBytes = 2;
-
     /// <summary>Shorter delays between two commands need no extra poll, seconds.</summary>
     private const double DelaySeconds = 0.05;
 
@@ -119,7 +116,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would
     /// hide.</summary>
-    private bool IsTimeToWatch => machine.Hold.IsRequested || _sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, DelaySeconds + UsualSeconds);
+    private bool IsTimeToWatch => machine.Hold.IsRequested || _sent - _sentAtWatch >= SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, DelaySeconds + UsualSeconds);
+
+    /// <summary>More while the buffer is full than when few segments are left.</summary>
+    private int SegmentsBetweenPolls => Math.Clamp((_sentAtWatch - _executed) / 2, _pace.SegmentsBetweenPolls, _pace.MostBetweenPolls);
+
+    /// <summary>Free places in the buffer, at the last poll or now.</summary>
+    private int FreePlaces => _capacity - (_sent - _executed);
 
     /// <summary>Time that the commands since the last poll need on a serial line, each with a heartbeat at most: that long is not a delay.</summary>
     private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
@@ -172,31 +175,40 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
 
-    /// <summary>Sends one segment; while the buffer is full, sends it again (TC 32).</summary>
+    /// <summary>Sends one segment, on a serial line as many as one line takes; while the buffer is full, sends it again (TC 32).</summary>
+    /// <remarks>A line has no more segments than there are surely free places. If one of several is refused with TC 32 all the same, it is not known which of
+    /// those after it are in the buffer, because places become free meanwhile: this ends the job like another refusal.</remarks>
     private async ValueTask SendNextAsync()
     {
-        var segment = sequence.Segments[first + _skipped + _sent];
-        var from = _sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End;
-        var command = sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
-        if (_statesSpeeds) command += DmcFormat.Speed(sequence.SpeedOf(segment));
         while (true)
         {
-            while (_begun && _capacity - (_sent - _executed) < SpareSegments)
+            while (_begun && FreePlaces < SpareSegments)
             {
                 await WatchAsync().ConfigureAwait(false);
                 await machine.RestAsync(SecondsAhead / RestShare).ConfigureAwait(false);
             }
 
-            var reply = await machine.Commands.ReplyAsync(command).ConfigureAwait(false);
-            if (reply is Accepted) break;
-            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) throw machine.Commands.Refuse(rejected, Wording.Get("Execution.DrawingEntity", segment.EntityIndex)).ToException();
+            var next = await machine.Commands.ReplyAsync(Commands(Math.Clamp(FreePlaces - SpareSegments, 1, Remaining))).ConfigureAwait(false);
+            for (var i = 0; i < next.Accepted; i++) _secondsAhead += _durations[_sent++];
+            ledger.Sent += next.Accepted;
+            _bytesSinceWatch += next.Bytes;
+            if (next.Reply is not Rejected rejected) return;
+            if (next.Sent > 1 || !_begun || rejected.Code != TcCode.SegmentBufferFull) throw machine.Commands.Refuse(rejected, Wording.Get("Execution.DrawingEntity", Segment(_sent).EntityIndex)).ToException();
             await WatchAsync().ConfigureAwait(false);
         }
+    }
 
-        _sent++;
-        _bytesSinceWatch += command.Length + FrameBytes;
-        ledger.Sent++;
-        _secondsAhead += _durations[_sent - 1];
+    private VectorSegment Segment(int index) => sequence.Segments[first + _skipped + index];
+
+    /// <summary>The next segments as commands.</summary>
+    private IEnumerable<string> Commands(int count) => Enumerable.Range(_sent, count).Select(Command);
+
+    private string Command(int index)
+    {
+        var segment = Segment(index);
+        var from = index == 0 ? _origin : Segment(index - 1).End;
+        var command = sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
+        return _statesSpeeds ? command + DmcFormat.Speed(sequence.SpeedOf(segment)) : command;
     }
 
     /// <summary>Brings the tool to the work, and enters the phase in which the sequence is cut.</summary>
@@ -284,14 +296,15 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 }
 
 /// <summary>How the segment buffer is filled over this kind of link.</summary>
-/// <param name="SegmentsBetweenPolls">Segments between two readings of the counter.</param>
+/// <param name="SegmentsBetweenPolls">Segments between two readings of the counter when few are left to execute.</param>
+/// <param name="MostBetweenPolls">The same while the buffer is full.</param>
 /// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow link it cannot be filled
 /// later.</param>
 /// <param name="ReactionSeconds">Delay between detecting that few segments are left and the command reaching the controller, seconds.</param>
-internal sealed record FeedPace(int SegmentsBetweenPolls, bool FillsFirst, double ReactionSeconds)
+internal sealed record FeedPace(int SegmentsBetweenPolls, int MostBetweenPolls, bool FillsFirst, double ReactionSeconds)
 {
     /// <summary>At 1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat.</summary>
-    private static FeedPace Network { get; } = new(16, FillsFirst: false, 0.06);
+    private static FeedPace Network { get; } = new(16, 16, FillsFirst: false, 0.06);
 
-    public static FeedPace From(SerialLine? line) => line is null ? Network : new FeedPace(LinkFeedLimit.SegmentsBetweenPolls, FillsFirst: true, LinkFeedLimit.ReactionSeconds(line));
+    public static FeedPace From(SerialLine? line) => line is null ? Network : new FeedPace(LinkFeedLimit.SegmentsBetweenPolls, LinkFeedLimit.MostBetweenPolls(line), FillsFirst: true, LinkFeedLimit.ReactionSeconds(line));
 }

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
@@ -15,8 +16,9 @@ internal sealed class SerialConversation(SerialLine line)
     /// <summary>Bytes of CR and prompt for each part of a line.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>Interval of a job's heartbeats, and the latest time after which one is sent before a long exchange.</summary>
+    /// <summary>Interval of a job's heartbeats, alone and in lines of segments, and the latest time after which one is sent before a long exchange.</summary>
     private const double SecondsBetweenHeartbeats = 0.2;
+    private const double SecondsBetweenHeartbeatsWithSegments = 0.3;
     private const double LatestHeartbeat = 0.5;
 
     /// <summary>Assumed bytes of handshake and downloads before the job, for TIME at its beginning on a controller that has just been switched on.</summary>
@@ -60,6 +62,27 @@ internal sealed class SerialConversation(SerialLine line)
         BeatBefore(text.Length);
         Pass(text.Length + 1 + text.AsSpan().Count(';') + 1);
         BeatAfter();
+    }
+
+    /// <summary>Segments, as many in a line as it takes, and the heartbeat in front of some lines.</summary>
+    public void Segments(IReadOnlyList<string> segments)
+    {
+        for (var sent = 0; sent < segments.Count;)
+        {
+            var beats = SegmentLines.Fit(line, ResidentServer.HeartbeatCommand, segments[sent]) && Now - _beaten >= SecondsBetweenHeartbeatsWithSegments;
+            if (beats) _beaten = Now;
+            var statements = SegmentLines.Next(line, beats ? ResidentServer.HeartbeatCommand : null, segments.Skip(sent));
+            sent += statements.Count - (beats ? 1 : 0);
+            if (statements.Count == 1)
+            {
+                Command(statements[0]);
+                continue;
+            }
+
+            var bytes = statements.Sum(statement => statement.Length + FrameBytes);
+            BeatBefore(bytes);
+            Pass(bytes);
+        }
     }
 
     /// <summary>A single query, without a heartbeat.</summary>

@@ -97,12 +97,13 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;
-        foreach (var command in DmcFormat.Commands(sequence, profile.Axes).Take(LinkFeedLimit.Places)) _talk.Command(command);
+        var segments = DmcFormat.Commands(sequence, profile.Axes).ToList();
+        _talk.Segments([.. segments.Take(LinkFeedLimit.Places)]);
         if (fits) _talk.Command("VE");
         var begun = _talk.Now;
         _talk.Command("BGS");
         _talk.Moves(_talk.Heard + moving, sequence.Speed);
-        foreach (var command in DmcFormat.Commands(sequence, profile.Axes).Skip(LinkFeedLimit.Places)) _talk.Command(command);
+        _talk.Segments([.. segments.Skip(LinkFeedLimit.Places)]);
         if (!fits) _talk.Command("VE");
         _talk.Counter = sequence.Segments.Count;
         var (pause, start) = (Pause(moving - (_talk.Now - begun)), _talk.Now);

@@ -5,6 +5,7 @@ namespace Engraver.Galil.Programs.Resident;
 internal sealed class Heartbeat(TimeProvider time)
 {
     private static readonly TimeSpan s_between = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan s_withSegments = TimeSpan.FromMilliseconds(300);
     private static readonly TimeSpan s_latest = TimeSpan.FromMilliseconds(500);
 
     private long _last = time.GetTimestamp();
@@ -23,6 +24,10 @@ internal sealed class Heartbeat(TimeProvider time)
 
     /// <summary>True when a heartbeat is due; it then counts as sent.</summary>
     public bool IsDue() => IsSilentFor(Between);
+
+    /// <summary>True when a heartbeat is due in a line of segments, whose time it takes: less often; it then counts as sent. Such a line is short
+    /// (<see cref="Language.SegmentLines"/>).</summary>
+    public bool IsDueWithSegments() => IsSilentFor(s_withSegments);
 
     /// <summary>True when the heartbeat would be too late after this exchange; the heartbeat then counts as sent.</summary>
     /// <param name="exchange">Time of a query and its reply on the serial line.</param>

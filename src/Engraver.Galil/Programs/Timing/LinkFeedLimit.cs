@@ -7,7 +7,7 @@ namespace Engraver.Galil.Programs.Timing;
 /// segment must arrive in time (galil-dmc.md A.4, B.7).</summary>
 public static class LinkFeedLimit
 {
-    /// <summary>Segments between two readings of the counter; a reading takes as long as five segments.</summary>
+    /// <summary>Segments between two readings of the counter when few are left to execute; a reading takes as long as seven segments.</summary>
     public const int SegmentsBetweenPolls = 64;
 
     /// <summary>Buffer places in use; the stream keeps a few free.</summary>
@@ -16,21 +16,34 @@ public static class LinkFeedLimit
     /// <summary>Bytes of a reading of the path and its reply.</summary>
     private const int PollBytes = 100;
 
-    /// <summary>Bytes of CR and prompt.</summary>
+    /// <summary>Bytes of separator and prompt. The prompts take time although the line is full duplex, because the echo fills the other direction too.</summary>
     private const int FrameBytes = 2;
+
+    /// <summary>Most segments between two readings of the counter, and their longest time, seconds: later the operator would see an old position.</summary>
+    private const int MostSegments = 256;
+    private const double MostSeconds = 1.5;
+    private const int UsualSegmentBytes = 16;
 
     /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in replies; generous, because a buffer that runs dry is worse than a
     /// slow cut.</summary>
     private const double Overhead = 1.2;
 
-    /// <summary>Time of the controller to execute a command, seconds (galil-dmc.md A.4).</summary>
-    private const double ExecutionSeconds = 0.001;
+    /// <summary>Time between the last byte of a line and the first of the next: the controller executes the last statement (galil-dmc.md A.4) and the host
+    /// takes the prompts, seconds. The other statements are executed while the next one arrives.</summary>
+    private const double TurnaroundSeconds = 0.002;
 
     /// <summary>Delay between detecting that few segments are left and the command reaching the controller: four readings of the path, seconds.</summary>
     public static double ReactionSeconds(SerialLine line)
     {
         ArgumentNullException.ThrowIfNull(line);
         return 4.0 * PollBytes * line.ByteSeconds;
+    }
+
+    /// <summary>Segments between two readings of the counter while the buffer is full.</summary>
+    public static int MostBetweenPolls(SerialLine line)
+    {
+        ArgumentNullException.ThrowIfNull(line);
+        return Math.Clamp((int)(MostSeconds / line.Time(UsualSegmentBytes).TotalSeconds), SegmentsBetweenPolls, MostSegments);
     }
 
     /// <summary>The sequence's own speed, or the highest even one at which every segment is in the buffer in time (counts/s).</summary>
@@ -65,9 +78,12 @@ public static class LinkFeedLimit
         return (window * sequence.Speed / shortest, window / timeThere);
     }
 
-    /// <summary>Transmission time of each segment, seconds.</summary>
-    private static double[] Costs(VectorSequence sequence, SerialLine line) =>
-        [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
+    /// <summary>Transmission time of each segment, seconds: its bytes, and its share of the frame of a line of segments of its length.</summary>
+    private static double[] Costs(VectorSequence sequence, SerialLine line)
+    {
+        var room = SegmentLines.Room(line) + 1;
+        return [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + (TurnaroundSeconds / Math.Max(1, room / (command.Length + 1))))];
+    }
 
     /// <summary>Only the length of a command matters, not its axis letters.</summary>
     private static readonly MachineAxes s_anyAxes = MachineAxes.Default with { Z = new MachineAxis('C', 1.0) };
