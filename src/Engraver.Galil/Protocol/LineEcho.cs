@@ -126,14 +126,17 @@ internal sealed class LineEcho(bool hasLineEnd)
         return true;
     }
 
-    /// <summary>True for the echo of an urgent line. After the echo of a line that went out whole only the rest of its prompts may come besides.</summary>
+    /// <summary>True for the echo of an urgent line. After the echo of a line that went out whole only the rest of its prompts may come besides,
+    /// and those of urgent lines.</summary>
     private bool IsAfterEcho(byte value)
     {
         if (IsUrgentEcho(value)) return true;
-        if (IsPrompt(value)) _prompts++;
-        else if (_prompts < _statements && UrgentDifference is null) Differ(value);
+        var isTooMany = IsPrompt(value) && ++_prompts > _statements + UrgentStatements;
+        if (_statements > 0 && UrgentDifference is null && (isTooMany || (_prompts < _statements && !IsPrompt(value)))) Differ(value);
         return false;
     }
+
+    private int UrgentStatements => _urgent.Count(sent => sent is Separator or Return);
 
     private static bool IsPrompt(byte value) => value is (byte)':' or (byte)'?';
 

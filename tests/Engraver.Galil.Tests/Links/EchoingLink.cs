@@ -25,6 +25,9 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
     /// <summary>Returns the bytes that arrive instead of a line.</summary>
     public Func<string, string> Corrupt { private get; set; } = line => line;
 
+    /// <summary>Returns all bytes that come back for a line with its CR, instead of its echo and its prompts; null leaves them to this class.</summary>
+    public Func<string, string?> Heard { private get; set; } = _ => null;
+
     /// <summary>Lines as received, in one piece or several.</summary>
     public List<string> Written { get; } = [];
 
@@ -32,7 +35,8 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
     {
         var text = Encoding.Latin1.GetString(bytes.Span);
         Written.Add(text);
-        foreach (var line in text.Split('\r', StringSplitOptions.RemoveEmptyEntries)) Receive(Corrupt(line));
+        if (Heard(text) is { } heard) Reply(heard);
+        else foreach (var line in text.Split('\r', StringSplitOptions.RemoveEmptyEntries)) Receive(Corrupt(line));
         return ValueTask.CompletedTask;
     }
 

@@ -14,9 +14,17 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     /// the short lead, so that the speed does not oscillate.</summary>
     private const double ComfortableSeconds = 0.25;
 
+    /// <summary>Of the short lead in seconds, for the time until the lead has been read.</summary>
+    private const double WatchMargin = 1.25;
+
     private const double Full = 1.0;
     private const double Slow = 0.5;
     private const double VerySlow = 0.1;
+
+    /// <summary>With more buffered motion than this, the factor would not change, seconds.</summary>
+    public double WatchSeconds => Now == Full ? WatchMargin * ShortSeconds : CalmSeconds;
+
+    private double CalmSeconds => Math.Max(ComfortableSeconds, 2 * ShortSeconds);
 
     private double ShortSeconds => rampSeconds + reactionSeconds;
 
@@ -30,7 +38,7 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     /// <returns>Whether it has changed.</returns>
     public bool Adapt(int lead, double secondsAhead, int remaining)
     {
-        if (remaining == 0 || secondsAhead > Math.Max(ComfortableSeconds, 2 * ShortSeconds)) return Release();
+        if (remaining == 0 || secondsAhead > CalmSeconds) return Release();
         if (lead < VeryShortLead || secondsAhead < ShortSeconds / 2) return Change(VerySlow);
         return Now == Full && (lead < ShortLead || secondsAhead < ShortSeconds) && Change(Slow);
     }

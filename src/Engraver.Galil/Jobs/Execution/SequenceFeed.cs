@@ -118,10 +118,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// hide.</summary>
     private bool IsTimeToWatch => machine.Hold.IsRequested || _sent - _sentAtWatch >= SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, DelaySeconds + UsualSeconds);
 
-    /// <summary>More while the buffer is full than when few segments are left.</summary>
-    private int SegmentsBetweenPolls => Math.Clamp((_sentAtWatch - _executed) / 2, _pace.SegmentsBetweenPolls, _pace.MostBetweenPolls);
+    /// <summary>Fewer when the buffered motion may be short by now: the machine executes it no faster than planned.</summary>
+    private int SegmentsBetweenPolls => SecondsAhead - machine.SincePoll.TotalSeconds < _throttle.WatchSeconds ? _pace.SegmentsBetweenPolls : _pace.MostBetweenPolls;
 
-    /// <summary>Free places in the buffer, at the last poll or now.</summary>
+    /// <summary>Places in the buffer that are surely free: those of segments that were executed since the last poll are not counted.</summary>
     private int FreePlaces => _capacity - (_sent - _executed);
 
     /// <summary>Time that the commands since the last poll need on a serial line, each with a heartbeat at most: that long is not a delay.</summary>
@@ -297,7 +297,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
 /// <summary>How the segment buffer is filled over this kind of link.</summary>
 /// <param name="SegmentsBetweenPolls">Segments between two readings of the counter when few are left to execute.</param>
-/// <param name="MostBetweenPolls">The same while the buffer is full.</param>
+/// <param name="MostBetweenPolls">The same while many are left.</param>
 /// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow link it cannot be filled
 /// later.</param>
 /// <param name="ReactionSeconds">Delay between detecting that few segments are left and the command reaching the controller, seconds.</param>

@@ -21,7 +21,7 @@ public static class LinkFeedLimit
 
     /// <summary>Most segments between two readings of the counter, and their longest time, seconds: later the operator would see an old position.</summary>
     private const int MostSegments = 256;
-    private const double MostSeconds = 1.5;
+    private const double MostSeconds = 2.0;
     private const int UsualSegmentBytes = 16;
 
     /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in replies; generous, because a buffer that runs dry is worse than a
@@ -39,7 +39,7 @@ public static class LinkFeedLimit
         return 4.0 * PollBytes * line.ByteSeconds;
     }
 
-    /// <summary>Segments between two readings of the counter while the buffer is full.</summary>
+    /// <summary>Segments between two readings of the counter while many are left to execute.</summary>
     public static int MostBetweenPolls(SerialLine line)
     {
         ArgumentNullException.ThrowIfNull(line);

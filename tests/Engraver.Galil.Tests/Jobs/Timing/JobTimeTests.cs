@@ -41,6 +41,18 @@ public class JobTimeTests
         Assert.InRange(planned, 0.98 * took, 1.02 * took);
     }
 
+    /// <summary>Lines of several segments, with heartbeats in front of some of them.</summary>
+    [Theory]
+    [InlineData(9600)]
+    [InlineData(19200)]
+    [InlineData(115200)]
+    public async Task A_path_of_many_segments_takes_as_long_as_was_planned(int baud)
+    {
+        var (planned, took) = await PlannedAndRunAsync(JobMode.Stream, baud, "dense");
+
+        Assert.InRange(planned, 0.98 * took, 1.02 * took);
+    }
+
     /// <summary>All cuts are as long as three polls: a heartbeat in between decides whether there is a fourth poll, and this can happen in each of
     /// them.</summary>
     [Theory]
@@ -103,6 +115,7 @@ public class JobTimeTests
                 [Toolpaths.Line(70, 21, 69, 21)], [Toolpaths.Arc(20, 30, 2, 90, 180)], [Toolpaths.Line(-5, 30, -5, -12)]),
             "far" => Toolpaths.OfStrokes([.. Enumerable.Range(0, 10).Select(i => new[] { Toolpaths.Line(100, 100 + (20 * i), 150, 100 + (20 * i)) })]),
             "short" => Toolpaths.OfStrokes([.. Enumerable.Range(0, 30).Select(i => new[] { Toolpaths.Line(10, 10 + i, 11, 10 + i) })]),
+            "dense" => Toolpaths.OfStrokes([.. Enumerable.Range(0, 700).Select(i => Toolpaths.Line(0.3 * i, 0.01 * (i % 2), 0.3 * (i + 1), 0.01 * ((i + 1) % 2)))]),
             "squares" => Toolpaths.OfStrokes([.. Enumerable.Range(0, 12).Select(i => Square(5 * i, 3))]),
             _ => throw new ArgumentOutOfRangeException(nameof(name)),
         },

@@ -29,7 +29,7 @@ internal sealed record WireCase(string Name, Func<JobMode, MotionProgram> Progra
     /// <summary>What arrives instead of a line that is sent; null: the line itself.</summary>
     public Func<string, string>? Harm { get; init; }
 
-    /// <summary>Twelve jobs; each is held, resumed, stopped, and resumed from the place where it was stopped.</summary>
+    /// <summary>Thirteen jobs; each is held, resumed, stopped, and resumed from the place where it was stopped.</summary>
     public static IReadOnlyList<WireCase> Jobs { get; } =
     [
         new("lines and an arc", _ => MotionPrograms.Paper, Hold(0.9), Resume(1.4), Stop(2.0)),
@@ -43,6 +43,7 @@ internal sealed record WireCase(string Name, Func<JobMode, MotionProgram> Progra
         new("output active low", Rake(MachineProfile.Default with { ToolActiveLow = true, ToolOffSettleSeconds = 0.02 }), Hold(0.5), Resume(0.9), Hold(1.2), Resume(1.5), Stop(2.2)),
         new("steppers and limits", Rake(s_stepper), Hold(0.7), Resume(1.1), Stop(1.6)) { With = options => options with { SoftLimits = [new SoftLimit('A', -90_000, 90_000), new SoftLimit('B', -90_000, 90_000)] } },
         new("serial line", Rake(MachineProfile.Default), Hold(1.1), Resume(1.9), Stop(2.8)) { Baud = 19200, With = options => options with { FollowedAxes = "AB" } },
+        new("short lines over a serial line", mode => MotionPrograms.ShortLines(mode == JobMode.Stream ? 700 : 60, 200), Hold(6.5), Resume(7.2), Stop(9.0)) { Baud = 19200 },
         new("overrides in a dry run", Rake(MachineProfile.Default), Feed(0.3, 0.5), Rapid(0.4, 0.3), Hold(0.8), Feed(1.0, 1.5), Resume(1.1), Feed(1.4, 0.3), Stop(2.6)) { With = options => options with { DryRun = true, FollowedAxes = "AB" } },
     ];
 
