@@ -46,8 +46,8 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     {
         var first = segments.First();
         if (session.Line is not { } line) return SentSegments.One(await ReplyAsync(first).ConfigureAwait(false), first);
-        var beats = SegmentLines.Fit(line, _beat, first) && _heartbeat.IsDueWithSegments() ? 1 : 0;
-        var statements = SegmentLines.Next(line, beats > 0 ? _beat : null, segments);
+        var beats = StreamLines.Fit(line, _beat, first) && _heartbeat.IsDueWithSegments() ? 1 : 0;
+        var statements = StreamLines.Next(line, beats > 0 ? _beat : null, segments);
         if (statements.Count == 1) return SentSegments.One(await ReplyAsync(first).ConfigureAwait(false), first);
         var text = string.Join(';', statements);
         var bytes = text.Length + 1 + statements.Count;
@@ -115,17 +115,4 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     }
 
     private bool IsBeatDueBefore(int bytes) => session.Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
-}
-
-/// <summary>What became of a line of segments.</summary>
-/// <param name="Reply">The reply to the line, or to the heartbeat before it.</param>
-/// <param name="Accepted">Segments that are in the buffer, from the first of the line.</param>
-/// <param name="Sent">Segments of the line.</param>
-/// <param name="Bytes">Bytes of the line and its prompts.</param>
-internal readonly record struct SentSegments(Reply Reply, int Accepted, int Sent, int Bytes)
-{
-    /// <summary>Bytes of CR and prompt.</summary>
-    private const int FrameBytes = 2;
-
-    public static SentSegments One(Reply reply, string segment) => new(reply, reply is Accepted ? 1 : 0, 1, segment.Length + FrameBytes);
 }

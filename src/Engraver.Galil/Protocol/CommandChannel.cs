@@ -88,11 +88,12 @@ public sealed class CommandChannel : IAsyncDisposable
 
     /// <summary>Sends a line whose statements are answered by prompts alone, whole also where echoes are compared: one exchange for all of them.</summary>
     /// <param name="line">Without colons, question marks and quotes.</param>
-    /// <returns>The first refused statement makes the reply a <see cref="Rejected"/>. Whether the controller executed those after it is then not known: how many
-    /// of them it answers is not confirmed (galil-dmc.md A.3), and either is accepted.</returns>
+    /// <returns>The first refused statement makes the reply a <see cref="Rejected"/>. Whether the controller executed those after it is then not known: whether
+    /// it answers them is not confirmed (galil-dmc.md A.3), and either is accepted.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     /// <exception cref="EchoException">The echo differs from the sent line; the stop can still be sent.</exception>
-    /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>, or its statements are not answered by prompts alone.</exception>
+    /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>, or its statements are not answered by prompts
+    /// alone.</exception>
     public ValueTask<Reply> SendWholeAsync(string line, CancellationToken cancellation)
     {
         var text = CommandLine.Checked(line);

@@ -29,8 +29,9 @@ public class SerialStreamTests
         Assert.True(baud switch { 1200 => average == 1.0, 9600 => average < 1.1, 19200 => average > 1.9, 38400 => average > 4.0, _ => average > 5.0 }, $"{average}");
     }
 
-    /// <summary>Compared with a sender that has one line outstanding and neither polls nor sends heartbeats. The path needs a little more than the line carries: after the beginning the buffer is neither
-    /// full nor empty. At 115,200 baud it lasts half a second, so that the counter is read more often.</summary>
+    /// <summary>Compared with a sender that has one line outstanding and neither polls nor sends heartbeats. The path needs a little more than
+    /// the line carries: after the beginning the buffer is neither full nor empty. At 115,200 baud it lasts half a second,
+    /// so that the counter is read more often.</summary>
     [Theory]
     [InlineData(19200, 118, 0.95)]
     [InlineData(115200, 20, 0.925)]

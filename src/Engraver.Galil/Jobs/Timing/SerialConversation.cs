@@ -69,9 +69,9 @@ internal sealed class SerialConversation(SerialLine line)
     {
         for (var sent = 0; sent < segments.Count;)
         {
-            var beats = SegmentLines.Fit(line, ResidentServer.HeartbeatCommand, segments[sent]) && Now - _beaten >= SecondsBetweenHeartbeatsWithSegments;
+            var beats = StreamLines.Fit(line, ResidentServer.HeartbeatCommand, segments[sent]) && Now - _beaten >= SecondsBetweenHeartbeatsWithSegments;
             if (beats) _beaten = Now;
-            var statements = SegmentLines.Next(line, beats ? ResidentServer.HeartbeatCommand : null, segments.Skip(sent));
+            var statements = StreamLines.Next(line, beats ? ResidentServer.HeartbeatCommand : null, segments.Skip(sent));
             sent += statements.Count - (beats ? 1 : 0);
             if (statements.Count == 1)
             {

@@ -26,7 +26,7 @@ internal sealed class Heartbeat(TimeProvider time)
     public bool IsDue() => IsSilentFor(Between);
 
     /// <summary>True when a heartbeat is due in a line of segments, whose time it takes: less often; it then counts as sent. Such a line is short
-    /// (<see cref="Language.SegmentLines"/>).</summary>
+    /// (<see cref="Language.StreamLines"/>).</summary>
     public bool IsDueWithSegments() => IsSilentFor(s_withSegments);
 
     /// <summary>True when the heartbeat would be too late after this exchange; the heartbeat then counts as sent.</summary>

@@ -16,7 +16,8 @@ public static class LinkFeedLimit
     /// <summary>Bytes of a reading of the path and its reply.</summary>
     private const int PollBytes = 100;
 
-    /// <summary>Bytes of separator and prompt. The prompts take time although the line is full duplex, because the echo fills the other direction too.</summary>
+    /// <summary>Bytes of separator and prompt. The prompts take time although the line is full duplex, because the echo fills the other direction
+    /// too.</summary>
     private const int FrameBytes = 2;
 
     /// <summary>Most segments between two readings of the counter, and their longest time, seconds: later the operator would see an old position.</summary>
@@ -81,7 +82,7 @@ public static class LinkFeedLimit
     /// <summary>Transmission time of each segment, seconds: its bytes, and its share of the frame of a line of segments of its length.</summary>
     private static double[] Costs(VectorSequence sequence, SerialLine line)
     {
-        var room = SegmentLines.Room(line) + 1;
+        var room = StreamLines.Room(line) + 1;
         return [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + (TurnaroundSeconds / Math.Max(1, room / (command.Length + 1))))];
     }
 

@@ -4,7 +4,7 @@ namespace Engraver.Galil.Language;
 
 /// <summary>Lines of several segments for a serial line: one exchange for all of them (galil-dmc.md A.3), and short, because a stop waits for the line under
 /// way.</summary>
-internal static class SegmentLines
+internal static class StreamLines
 {
     /// <summary>Longest transmission time of a line with more than one statement, seconds.</summary>
     private const double LongestSeconds = 0.02;
