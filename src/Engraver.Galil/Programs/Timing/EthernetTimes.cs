@@ -12,8 +12,8 @@ internal sealed class EthernetTimes : DmcTimes
     /// <summary>An end of motion is detected by the next poll, half a command later on average.</summary>
     private const double NoticeSeconds = SecondsPerCommand / 2.0;
 
-    /// <summary>Commands of a rapid: a poll before it, SP and PA of each axis that moves, BG.</summary>
-    private const int RapidCommands = 2;
+    /// <summary>Commands of a rapid: a poll before it, SP and PA of each axis that moves, the query of SP, BG.</summary>
+    private const int RapidCommands = 3;
     private const int RapidCommandsOfAxis = 2;
 
     /// <summary>Commands of a tool change: SB or CB, and the poll from which the settle time counts.</summary>
@@ -22,8 +22,9 @@ internal sealed class EthernetTimes : DmcTimes
     /// <summary>Commands of a move of the tool axis: SP, PA, the speed read back, BG, and half of a poll in two lines.</summary>
     private const int HeightCommands = 5;
 
-    /// <summary>Commands of a sequence: a poll, CSS, VM, VS, VA, VD, VR, the query for free places, VE and BGS.</summary>
-    private const int SequenceCommands = 10;
+    /// <summary>Commands of a sequence: a poll, CSS, VM, VS, VA, VD and their query, VR and its query, the query for free places, VE, BGS, and the query of the
+    /// length at its end.</summary>
+    private const int SequenceCommands = 13;
 
     /// <summary>Motion that is buffered before a stream starts to move, seconds; the rest is sent meanwhile.</summary>
     private const double SecondsBufferedAtStart = 1.0;
