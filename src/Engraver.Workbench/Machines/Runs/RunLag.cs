@@ -77,7 +77,7 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
 
             if (_last is { } before && before.Planned.Sequence == planned.Sequence)
             {
-                if (IsResting(before.Planned, planned)) End();
+                if (IsResting(before.Planned)) End();
                 else if (waited < MinStep && planned.Left > AtRest) return Lost;
                 else Compare(before, (seen, planned), waited);
             }
@@ -96,8 +96,8 @@ public sealed record RunLag(double Seconds, IReadOnlyList<LagPlace> Places, IRea
             return [.. _slow.OrderByDescending(place => place.Seconds).Take(MaxPlaces)];
         }
 
-        /// <summary>The tool settles before the path or after it.</summary>
-        private static bool IsResting(in PursuedPlace before, in PursuedPlace now) => (before.Path <= AtRest && now.Path <= AtRest) || before.Left <= AtRest;
+        /// <summary>The machine was at rest before the path or after it, for an unknown time: the tool settles.</summary>
+        private static bool IsResting(in PursuedPlace before) => before.Path <= AtRest || before.Left <= AtRest;
 
         private void Compare((RunTracePlace Seen, PursuedPlace Planned) before, (RunTracePlace Seen, PursuedPlace Planned) now, double took)
         {
