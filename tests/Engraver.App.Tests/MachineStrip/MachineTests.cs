@@ -156,7 +156,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     [Fact]
     public Task Progress_is_that_of_the_planned_time() => fixture.WithOperator(here =>
     {
-        here.Enter("NEW", "LINE", "0,0", "1,0", "100,0", "", "CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Enter("NEW", "CNCFITARCS", "0", "LINE", "0,0", "1,0", "100,0", "", "CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         var strip = here.Window.Model.Machine;

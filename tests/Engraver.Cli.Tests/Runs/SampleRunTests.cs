@@ -78,7 +78,7 @@ public class SampleRunTests
         var report = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal(
-            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "cornerDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut", "origin", "finalZ", "holds", "resumedFrom", "checks", "openLoop", "maxFollowingError", "tolerance", "fonts", "trajectory", "plate", "plates"],
+            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "cornerDeviation", "missingLength", "lag", "deviationSource", "journal", "leftOut", "notCut", "origin", "finalZ", "holds", "resumedFrom", "checks", "openLoop", "maxFollowingError", "tolerance", "fonts", "trajectory", "plate", "plates"],
             report.EnumerateObject().Select(field => field.Name));
         Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("finalZ").ValueKind); // a machine without a Z axis
         Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("trajectory").ValueKind); // the drawing itself was run
