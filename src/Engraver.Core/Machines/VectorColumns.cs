@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 56 bytes for a line, 24 more for an arc, 16 for a sequence, 56 for a stroke. Objects are
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 16 for a sequence, 56 for a stroke. Objects are
 /// created only while they are read.</summary>
 /// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
 /// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
