@@ -36,17 +36,20 @@ internal sealed class PathPursuit(MotionProgram program)
 
     private static SegmentCursor? Search(SegmentCursor from, Point2D counts, double tolerance, double reach)
     {
-        for (var (cursor, ahead) = (from, 0.0); cursor.IsInside && ahead <= reach; cursor = cursor.Next())
+        var (ahead, isFirst) = (0.0, true);
+        for (var cursor = from; cursor.IsInside && ahead <= reach; cursor = cursor.Next())
         {
             var path = cursor.Path;
             if (path.DistanceTo(counts) <= tolerance)
             {
                 var along = path.LengthTo(counts, tolerance);
-                if (ahead == 0.0 && along < from.Along - tolerance && EndOf(cursor.Segment).DistanceTo(counts) <= tolerance) along = cursor.Segment.Length; // of a whole turn
-                if (ahead > 0.0 || along >= from.Along - tolerance) return cursor with { Along = Math.Max(along, ahead > 0.0 ? 0.0 : from.Along) };
+                if (!isFirst) return cursor with { Along = along };
+                if (along < from.Along - tolerance && EndOf(cursor.Segment).DistanceTo(counts) <= tolerance) along = cursor.Segment.Length; // of a whole turn
+                if (along >= from.Along - tolerance) return cursor with { Along = Math.Max(along, from.Along) };
             }
 
-            ahead += cursor.Segment.Length - (ahead > 0.0 ? 0.0 : Math.Min(from.Along, cursor.Segment.Length - double.Epsilon));
+            ahead += cursor.Segment.Length - (isFirst ? from.Along : 0.0);
+            isFirst = false;
         }
 
         return null;

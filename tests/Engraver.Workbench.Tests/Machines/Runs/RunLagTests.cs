@@ -41,6 +41,17 @@ public sealed class RunLagTests
         Assert.Equal((20.0, 10.0), (Math.Round(most.PlannedSpeed), Math.Round(most.Speed)));
     }
 
+    /// <summary>A position exactly at the end of a long segment is followed by positions on a short one.</summary>
+    [Fact]
+    public void Positions_after_the_end_of_a_segment_are_on_the_next_one()
+    {
+        var program = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 40, 0).Line(40, 0, 40, 10).Build(), new DrawingSettings { CornerToleranceMm = 0.0 }, MotionStyle.Continuous).Motion.Program!;
+        List<Point2D> way = [.. Enumerable.Range(0, 41).Select(x => new Point2D(x, 0)), .. Enumerable.Range(1, 9).Select(y => new Point2D(40, y))];
+        var lag = RunLag.Of(program, new RunTrace("polled", [.. way.Select((place, i) => new RunTracePlace(0.1 * i, place, true, 0.0))]))!;
+
+        Assert.DoesNotContain(double.NaN, lag.Behind);
+    }
+
     /// <summary>An override of the operator does not count as lag.</summary>
     [Fact]
     public void An_override_counts_as_planned()
