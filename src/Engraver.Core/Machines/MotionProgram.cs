@@ -16,6 +16,9 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     /// <summary>The longest wait that an operation states, seconds; 0 for none.</summary>
     public double LongestWait => Strokes.Select(stroke => stroke.Terms?.LongestWait ?? 0.0).DefaultIfEmpty().Max();
 
+    /// <summary>The smallest VA and VD of its sequences, counts/s2.</summary>
+    public int LeastAcceleration => Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.AccelerationOn(Profile)).DefaultIfEmpty(Profile.AccelerationCounts).Min();
+
     public int SegmentCount => Strokes.Sum(stroke => stroke.SegmentCount);
 
     /// <summary>The segment after the given number in the order of cutting, with its start and the index of its stroke in <see cref="Strokes"/>; null after the

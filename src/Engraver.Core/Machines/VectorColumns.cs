@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 16 for a sequence, 56 for a stroke. Objects are
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 20 for a sequence, 56 for a stroke. Objects are
 /// created only while they are read.</summary>
 /// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
 /// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
@@ -23,10 +23,11 @@ public sealed class VectorColumns(int segments)
     /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
     /// <param name="cut">At least one.</param>
     /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
-    public void Append(int speed, int acceleration, IReadOnlyList<VectorSegment> cut, bool changesHeight)
+    /// <param name="feed">As <see cref="VectorSequence.Feed"/>.</param>
+    public void Append(int speed, int acceleration, IReadOnlyList<VectorSegment> cut, bool changesHeight, int? feed = null)
     {
         ArgumentNullException.ThrowIfNull(cut);
-        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, Acceleration = acceleration, ChangesHeight = changesHeight });
+        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, Acceleration = acceleration, Feed = feed ?? 0, ChangesHeight = changesHeight });
         for (var i = 0; i < cut.Count; i++) Append(cut[i]);
     }
 
@@ -69,6 +70,7 @@ public sealed class VectorColumns(int segments)
         {
             ChangesHeight = _sequences[sequence].ChangesHeight,
             Acceleration = _sequences[sequence].Acceleration,
+            Feed = _sequences[sequence].Feed > 0 ? _sequences[sequence].Feed : null,
         };
 
     internal int SpeedOf(int segment) => _segments[segment].Speed;
@@ -118,6 +120,7 @@ public sealed class VectorColumns(int segments)
         public int First;
         public int Speed;
         public int Acceleration;
+        public int Feed;
         public bool ChangesHeight;
     }
 }

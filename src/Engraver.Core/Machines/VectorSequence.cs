@@ -12,6 +12,10 @@ public sealed record VectorSequence(CountsPoint Start, int Speed, IReadOnlyList<
     /// <summary>VA and VD, counts/s2; null: the acceleration of the machine profile.</summary>
     public int? Acceleration { get; init; }
 
+    /// <summary>The feed that is asked, counts/s: its speeds are planned for it, and an override is a factor of it. Null where heights change or it is not
+    /// known.</summary>
+    public int? Feed { get; init; }
+
     /// <summary>Segments have speeds of their own; false where every one is run at <see cref="Speed"/>.</summary>
     public bool HasOwnSpeeds => Segments is SequenceSegments columns ? columns.HaveOwnSpeeds : Segments.Any(segment => segment.Speed != 0);
 

@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion.Planning;
 
@@ -30,21 +29,12 @@ public static class SpeedHeadroom
         var (fastest, from, before, length) = (double.PositiveInfinity, sequence.Start, default(PathDirection?), 0.0);
         foreach (var segment in sequence.Segments)
         {
-            var (first, last) = Directions(from, segment);
+            var (first, last) = PathDirection.AtEnds(from, segment);
             if (segment.Kind == VectorSegmentKind.Arc) fastest = Math.Min(fastest, Math.Sqrt(limits.OnArcs * segment.Radius));
             if (before is { } direction) fastest = Math.Min(fastest, limits.SpeedThrough(limits.TurnOf(direction, first), Math.Min(length, segment.Length)));
             (before, from, length) = (last, segment.End, segment.Length);
         }
 
         return fastest;
-    }
-
-    /// <summary>Directions in which a segment begins and ends.</summary>
-    private static (PathDirection First, PathDirection Last) Directions(CountsPoint from, in VectorSegment segment)
-    {
-        if (segment.Kind == VectorSegmentKind.Arc) return (PathDirection.Of(SequenceKinematics.Direction(segment, from, 0.0)), PathDirection.Of(SequenceKinematics.Direction(segment, from, 1.0)));
-        var way = segment.End - from;
-        var direction = PathDirection.Of(way.X, way.Y, way.Z);
-        return (direction, direction);
     }
 }

@@ -93,7 +93,7 @@ internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<Job
     }
 
     /// <summary>What the controller counts from now on belongs to this sequence, call or program.</summary>
-    public void Opened(int first, IReadOnlyList<int> starts, int calls) => Write(new JournalOpened(first, starts, calls));
+    public void Opened(JournalOpened opened) => Write(opened);
 
     /// <summary>The present sequence is complete.</summary>
     public void SequenceDone(JobMachine machine) => WriteProgress(machine);

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Sessions;
 
@@ -25,7 +26,7 @@ internal sealed class JobMachine
         Frame = new JobCoordinates(program, options);
         Tool = new JobTool(this, options.DryRun);
         var control = options.Control ?? new JobControl();
-        Speed = new JobSpeed(this, control);
+        Speed = new JobSpeed(this, program, control);
         Hold = new JobHold(this, control, log, options.SoftLimits);
         Watch = new JobWatch(this, program, ledger, progress);
     }
@@ -198,9 +199,10 @@ internal sealed class JobMachine
     /// <param name="first">Its first segment in the whole program.</param>
     /// <param name="starts">Segments before each of its sequences, and as the last number all of them.</param>
     /// <param name="calls">seq before it.</param>
-    public async ValueTask OpenAsync(int first, IReadOnlyList<int> starts, int calls)
+    /// <param name="divided">As <see cref="JournalOpened.Divided"/>.</param>
+    public async ValueTask OpenAsync(int first, IReadOnlyList<int> starts, int calls, IReadOnlyList<int>? divided = null)
     {
-        _log.Opened(first, starts, calls);
+        _log.Opened(new JournalOpened(first, starts, calls) { Divided = divided is { Count: > 0 } ? divided : null });
         if (Hold.CutBegins()) await Commands.SendAsync(ResidentServer.MarkCommand(Mark)).ConfigureAwait(false);
     }
 

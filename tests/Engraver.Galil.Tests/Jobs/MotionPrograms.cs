@@ -41,7 +41,7 @@ internal static class MotionPrograms
         var columns = new VectorColumns(strokes.Sum(stroke => stroke.SegmentCount));
         foreach (var stroke in strokes)
         {
-            foreach (var sequence in stroke.Sequences) columns.Append(sequence.Speed, sequence.AccelerationOn(MachineProfile.Default), sequence.Segments, sequence.ChangesHeight);
+            foreach (var sequence in stroke.Sequences) columns.Append(sequence.Speed, sequence.AccelerationOn(MachineProfile.Default), sequence.Segments, sequence.ChangesHeight, sequence.Feed);
             Assert.True(columns.EndStroke(stroke.Index, stroke.Start));
         }
 

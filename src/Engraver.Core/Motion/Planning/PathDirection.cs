@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion.Planning;
 
@@ -10,6 +11,15 @@ public readonly record struct PathDirection(double X, double Y, double Z)
 
     /// <summary>A direction in plan.</summary>
     public static PathDirection Of(Vector2D direction) => new(direction.X, direction.Y, 0.0);
+
+    /// <summary>Directions in which a segment begins and ends.</summary>
+    public static (PathDirection First, PathDirection Last) AtEnds(CountsPoint from, in VectorSegment segment)
+    {
+        if (segment.Kind == VectorSegmentKind.Arc) return (Of(SequenceKinematics.Direction(segment, from, 0.0)), Of(SequenceKinematics.Direction(segment, from, 1.0)));
+        var way = segment.End - from;
+        var direction = Of(way.X, way.Y, way.Z);
+        return (direction, direction);
+    }
 
     /// <summary>The direction of a way; zero for a way without length.</summary>
     public static PathDirection Of(double x, double y, double z)

@@ -120,13 +120,14 @@ public sealed class SpeedPlanner
     }
 
     /// <summary>Plans the segments since <see cref="Clear"/>.</summary>
-    public void Plan()
+    /// <param name="least">VA is not smaller, counts/s2; at most the limit.</param>
+    public void Plan(int least = 0)
     {
         Reserve();
         MeasureHolds();
         (Seconds, Acceleration) = (double.PositiveInfinity, 0);
         if (!HasChoice()) Try(Whole(_limits.Total, _step));
-        else Search();
+        else Search(least);
         (_speeds, _best) = (_best, _speeds);
         SetRamps(Acceleration);
         Command();
@@ -143,9 +144,9 @@ public sealed class SpeedPlanner
         return false;
     }
 
-    private void Search()
+    private void Search(int least)
     {
-        List<int> tried = [.. Candidates().Order()];
+        List<int> tried = [.. Candidates().Where(candidate => candidate >= Math.Min(least, Whole(_limits.Total, _step))).Order()];
         tried.ForEach(Try);
         for (var i = 0; i < Refinements && tried.Count > 1; i++)
         {

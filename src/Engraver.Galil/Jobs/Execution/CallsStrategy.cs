@@ -29,10 +29,11 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     {
         await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
         var start = sequence.Start;
-        machine.Speed.LimitBy([sequence], hostFeeds: false);
         foreach (var segment in sequence.Segments)
         {
-            await CallAsync(segment, start, sequence.SpeedOf(segment), sequence.AccelerationOn(machine.Profile)).ConfigureAwait(false);
+            var one = sequence with { Start = start, Segments = [segment] };
+            var cut = machine.Speed.Plan(one, hostFeeds: false).Sequence; // from rest to rest: it is not divided
+            await CallAsync(segment, start, cut.SpeedOf(cut.Segments[0]), cut.AccelerationOn(machine.Profile)).ConfigureAwait(false);
             start = segment.End;
         }
     }
@@ -59,6 +60,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         await machine.Commands.SendAsync(arguments, where).ConfigureAwait(false);
         await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed, acceleration)).ConfigureAwait(false);
         await machine.Hold.ToolOnAsync(start).ConfigureAwait(false);
+        if (!machine.Hold.IsHoldWanted) await machine.Speed.AdjustAsync().ConfigureAwait(false);
         var (calls, before) = (machine.State.Calls, ledger.Executed);
         await machine.OpenAsync(before, [0, 1], calls).ConfigureAwait(false);
         var watch = machine.WatchPath(here, [segment], speed);

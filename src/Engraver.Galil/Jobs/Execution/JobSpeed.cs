@@ -8,7 +8,7 @@ namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>The speed ratios of a job: VR of the path, which the operator's override, the feeder's throttle and a hold determine together, and SP of the
 /// rapids. No other class sends them.</summary>
-internal sealed class JobSpeed(JobMachine machine, JobControl control)
+internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobControl control)
 {
     private const double Decimals = 10000.0;
 
@@ -17,6 +17,9 @@ internal sealed class JobSpeed(JobMachine machine, JobControl control)
     /// <summary>The largest override that the sequences in progress allow; computed only where more than the planned speed is requested.</summary>
     private Lazy<double> _most = new(JobControl.FeedRange.Max);
 
+    /// <summary>The override for which the sequences in progress are planned.</summary>
+    private double _planned = 1.0;
+
     /// <summary>VR as it was last sent.</summary>
     public double Ratio { get; private set; } = 1.0;
 
@@ -24,19 +27,40 @@ internal sealed class JobSpeed(JobMachine machine, JobControl control)
     public double RapidRatio => control.RapidRatio;
 
     /// <summary>The feed override in force, without throttle and hold.</summary>
-    public double Override => control.FeedRatio <= 1.0 ? control.FeedRatio : Math.Min(control.FeedRatio, _most.Value);
+    public double Override => control.FeedRatio <= _planned ? control.FeedRatio : Math.Min(control.FeedRatio, _most.Value);
+
+    /// <summary>The factor of the planned speeds that is the override, without throttle and hold.</summary>
+    public double PathRatio => Override / _planned;
 
     /// <summary>A ratio that is requested is not in force yet.</summary>
     public bool IsChangeRequested => Requested != Ratio || control.RapidRatio != _rapidRatio;
 
     /// <summary>The ratio to send, in the four decimals of a number on the wire; 0 while the job is to be held.</summary>
-    private double Requested => control.IsHoldWanted ? 0.0 : Math.Round(Override * machine.Phase.Throttle() * Decimals) / Decimals;
+    private double Requested => control.IsHoldWanted ? 0.0 : Math.Round(PathRatio * machine.Phase.Throttle() * Decimals) / Decimals;
 
     /// <summary>These sequences are run from now on.</summary>
     /// <param name="hostFeeds">The host sends the segments while they are cut: a long run of short ones has a maximum speed.</param>
-    public void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds) => _most = new Lazy<double>(() => Math.Min(
-        SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Max),
-        hostFeeds ? sequences.Min(sequence => FeedLimit.Headroom([.. sequence.Segments.Select(segment => segment.Length)], sequence.Speed)) : JobControl.FeedRange.Max));
+    public void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds) => LimitBy(sequences, hostFeeds, 1.0);
+
+    /// <summary>This sequence is run from now on. Where more than the planned speed is requested and VR may not bring it, its speeds are planned again.</summary>
+    /// <param name="hostFeeds">As for <see cref="LimitBy(IReadOnlyList{VectorSequence}, bool)"/>.</param>
+    /// <returns>What is to be sent.</returns>
+    public CutSequence Plan(VectorSequence sequence, bool hostFeeds)
+    {
+        LimitBy([sequence], hostFeeds);
+        if (control.FeedRatio <= 1.0 || _most.Value >= control.FeedRatio) return CutSequence.AsPlanned(sequence);
+        var cut = CutSequence.Planned(sequence, machine.Profile, control.FeedRatio, program.LeastAcceleration, hostFeeds ? machine.Line : null);
+        LimitBy([cut.Sequence], hostFeeds, cut.Ratio);
+        return cut;
+    }
+
+    private void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds, double planned)
+    {
+        _planned = planned;
+        _most = new Lazy<double>(() => planned * Math.Min(
+            SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Max),
+            hostFeeds ? sequences.Min(sequence => FeedLimit.Headroom([.. sequence.Segments.Select(segment => segment.Length)], sequence.Speed)) : JobControl.FeedRange.Max));
+    }
 
     /// <summary>SP of one axis under the rapid override.</summary>
     public int RapidSpeed(MachineAxis axis) => Math.Max(DmcLimits.SlowestSpeed, 2 * (int)(machine.Profile.RapidSpeed(axis) * control.RapidRatio / 2.0));

@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -18,7 +19,9 @@ namespace Engraver.Galil.Jobs.Execution;
 /// sqrt((L + A/2)^2 - L^2) counts is not noticed, where L is the length of its segments and A the allowed difference of the path length: 62 counts for 100
 /// segments of 60. A vertex farther off is.
 /// </remarks>
-internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
+/// <param name="cut">What is sent.</param>
+/// <param name="first">The first of its segments that is not cut.</param>
+internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, CutSequence cut, int first)
 {
     /// <summary>Free places in the buffer that are not used: one command may be in transit, and the controller's count is as old as the last poll.</summary>
     private const int SpareSegments = 5;
@@ -41,8 +44,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private const double LengthAllowance = 2.0;
     private const double LengthPerSegment = 0.5;
 
+    /// <summary>What is sent.</summary>
+    private readonly VectorSequence _sequence = cut.Sequence;
     private readonly FeedPace _pace = FeedPace.From(machine.Line);
-    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Speed.Override) * sequence.Speed / sequence.AccelerationOn(machine.Profile), FeedPace.From(machine.Line).ReactionSeconds);
+    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Speed.PathRatio) * cut.Sequence.Speed / cut.Sequence.AccelerationOn(machine.Profile), FeedPace.From(machine.Line).ReactionSeconds);
     private long _begunAt;
     private int _capacity;
     private int _sent;
@@ -64,12 +69,12 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     public int Next => first + _skipped + _executed;
 
     /// <summary>Duration of the buffered motion at the speed that the operator requests.</summary>
-    private double SecondsAhead => _secondsAhead / machine.Speed.Override;
+    private double SecondsAhead => _secondsAhead / machine.Speed.PathRatio;
 
     /// <summary>Seconds until the end of the path, by the trapezoid of the whole path and the time since its beginning.</summary>
     private double SecondsLeft => _seconds - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
-    private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
+    private int Remaining => _sequence.Segments.Count - first - _skipped - _sent;
 
     /// <summary>Fills the buffer, begins, and sends the rest while the machine cuts. Returns when the path has ended, or has run dry before its
     /// end.</summary>
@@ -108,9 +113,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         for (; _executed < Math.Min(counter, _sent); _executed++)
         {
-            var segment = sequence.Segments[first + _skipped + _executed];
             _secondsAhead -= _durations[_executed];
-            ledger.Confirm(segment);
+            Confirm(first + _skipped + _executed);
         }
     }
 
@@ -137,16 +141,16 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask OpenAsync()
     {
         await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
-        _origin = machine.Here with { Z = first == 0 ? sequence.Start.Z : sequence.Segments[first - 1].End.Z }; // the tool is brought to this height before the motion
-        while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
+        _origin = machine.Here with { Z = first == 0 ? _sequence.Start.Z : _sequence.Segments[first - 1].End.Z }; // the tool is brought to this height before the motion
+        while (_skipped < _sequence.Segments.Count - first && IsAlreadyThere(_sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return;
         var ahead = Ahead;
         Measure(ahead);
-        _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreLeading(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
-        var acceleration = sequence.AccelerationOn(machine.Profile);
-        await machine.Commands.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
+        _byIncrements = !_sequence.ChangesHeight && machine.Line is null && DmcAxes.AreLeading(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        var acceleration = _sequence.AccelerationOn(machine.Profile);
+        await machine.Commands.SendAllAsync(["CSS", _sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={_sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
         await SettingCheck.ReadBackAsync(
-            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false);
+            machine, ("_VSS", _sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false);
         await machine.Speed.SendRatioAsync().ConfigureAwait(false);
         _capacity = (int)await machine.Commands.AskAsync("_LMS").ConfigureAwait(false);
     }
@@ -154,8 +158,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Computes the planned time of each segment.</summary>
     private void Measure(IReadOnlyList<VectorSegment> ahead)
     {
-        _statesSpeeds = sequence.HasOwnSpeeds;
-        var (planned, path, seconds) = (SequenceProfile.Of(sequence with { Segments = ahead }, machine.Profile), 0.0, 0.0);
+        _statesSpeeds = _sequence.HasOwnSpeeds;
+        var (planned, path, seconds) = (SequenceProfile.Of(_sequence with { Segments = ahead }, machine.Profile), 0.0, 0.0);
         _durations = new double[ahead.Count];
         for (var i = 0; i < ahead.Count; i++)
         {
@@ -168,12 +172,20 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     }
 
     /// <summary>The segments that are cut here, from the machine's present position.</summary>
-    private IReadOnlyList<VectorSegment> Ahead => [.. sequence.Segments.Skip(first + _skipped)];
+    private IReadOnlyList<VectorSegment> Ahead => [.. _sequence.Segments.Skip(first + _skipped)];
 
     /// <summary>A line to the machine's own position has no length and would be refused (TC 30); it counts as done.</summary>
     private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
 
-    private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
+    private void SkipOne() => Confirm(first + _skipped++);
+
+    private void Confirm(int index)
+    {
+        if (cut.Ended(index) is { } segment) ledger.Confirm(segment);
+    }
+
+    /// <summary>Segments of the program among the first ones that this sends.</summary>
+    private int Whole(int sent) => cut.WholeAmong(first + _skipped + sent) - cut.WholeAmong(first + _skipped);
 
     /// <summary>Sends one segment, on a serial line as many as one line takes; while the buffer is full, sends it again (TC 32).</summary>
     /// <remarks>A line has no more segments than there are surely free places. If one of several is refused with TC 32 all the same, it is not known which of
@@ -189,8 +201,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
             }
 
             var next = await machine.Commands.ReplyAsync(Commands(Math.Clamp(FreePlaces - SpareSegments, 1, Remaining))).ConfigureAwait(false);
+            var whole = Whole(_sent);
             for (var i = 0; i < next.Accepted; i++) _secondsAhead += _durations[_sent++];
-            ledger.Sent += next.Accepted;
+            ledger.Sent += Whole(_sent) - whole;
             _bytesSinceWatch += next.Bytes;
             if (next.Reply is not Rejected rejected) return;
             if (next.Sent > 1 || !_begun || rejected.Code != TcCode.SegmentBufferFull) throw machine.Commands.Refuse(rejected, Wording.Get("Execution.DrawingEntity", Segment(_sent).EntityIndex)).ToException();
@@ -198,7 +211,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         }
     }
 
-    private VectorSegment Segment(int index) => sequence.Segments[first + _skipped + index];
+    private VectorSegment Segment(int index) => _sequence.Segments[first + _skipped + index];
 
     /// <summary>The next segments as commands.</summary>
     private IEnumerable<string> Commands(int count) => Enumerable.Range(_sent, count).Select(Command);
@@ -207,8 +220,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         var segment = Segment(index);
         var from = index == 0 ? _origin : Segment(index - 1).End;
-        var command = sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
-        return _statesSpeeds ? command + DmcFormat.Speed(sequence.SpeedOf(segment)) : command;
+        var command = _sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
+        return _statesSpeeds ? command + DmcFormat.Speed(_sequence.SpeedOf(segment)) : command;
     }
 
     /// <summary>Brings the tool to the work, and enters the phase in which the sequence is cut.</summary>
@@ -216,14 +229,14 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         await machine.Hold.ToolOnAsync(_origin).ConfigureAwait(false);
         if (machine.Hold.IsRequested) await machine.Speed.SendRatioAsync().ConfigureAwait(false);
-        var before = ledger.Executed - _executed;
-        await machine.OpenAsync(before, [0, sequence.Segments.Count - first - _skipped], machine.State.Calls).ConfigureAwait(false);
-        var watch = _watch = machine.WatchPath(_origin, Ahead, sequence.Speed);
-        var planned = new PlannedSpeeds(sequence with { Segments = Ahead }, machine.Profile);
+        var before = ledger.Executed - Whole(_executed);
+        await machine.OpenAsync(before, [0, Whole(_sequence.Segments.Count - first - _skipped)], machine.State.Calls, [.. cut.Divided.Select(index => index - first - _skipped).Where(index => index >= 0)]).ConfigureAwait(false);
+        var watch = _watch = machine.WatchPath(_origin, Ahead, _sequence.Speed);
+        var planned = new PlannedSpeeds(_sequence with { Segments = Ahead }, machine.Profile);
         (_begun, _begunAt) = (true, machine.Time.GetTimestamp());
         return machine.Enter(machine.Phase with
         {
-            SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent)),
+            SegmentsDone = state => before + Whole(Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent))),
             Expected = state => state.SequenceRunning ? watch.Check(state.Counter, machine.Here) : null,
             Speed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : planned.At(state.Counter), // at standstill when it runs dry
             WillMove = state => state.Counter < _sent,

@@ -15,10 +15,10 @@ internal sealed class StreamStrategy(JobMachine machine, JobLedger ledger) : ISe
     public async ValueTask CutAsync(VectorSequence sequence)
     {
         var next = 0;
-        machine.Speed.LimitBy([sequence], hostFeeds: true);
-        while (next < sequence.Segments.Count)
+        var cut = machine.Speed.Plan(sequence, hostFeeds: true);
+        while (next < cut.Sequence.Segments.Count)
         {
-            _feed = new SequenceFeed(machine, ledger, sequence, next);
+            _feed = new SequenceFeed(machine, ledger, cut, next);
             await _feed.RunAsync().ConfigureAwait(false);
             next = _feed.Next;
         }

@@ -1,3 +1,5 @@
+using Engraver.Galil.Programs.Generation;
+
 namespace Engraver.Galil.Jobs.Journal;
 
 /// <summary>A sequence, a call or a program is about to begin: what the controller counts from now on belongs to it.</summary>
@@ -7,4 +9,10 @@ namespace Engraver.Galil.Jobs.Journal;
 public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Calls)
 {
     public string Kind { get; } = "opened";
+
+    /// <summary>Segments that the controller counts after which the same segment of the program goes on, in order; null for none.</summary>
+    public IReadOnlyList<int>? Divided { get; init; }
+
+    /// <summary>Segments of the program that are done when the controller has counted this many of its sequence.</summary>
+    public int Done(int counted) => Math.Min(CutSequence.WholeAmong(Divided ?? [], counted), Starts[^1]);
 }

@@ -96,7 +96,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     private double Reach => (LaterSeconds * Speed) + (Speed * Speed / (2.0 * Braking));
 
     /// <summary>The smallest VD of any sequence, counts/s2.</summary>
-    private double Braking { get; } = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.AccelerationOn(program.Profile)).DefaultIfEmpty(program.Profile.AccelerationCounts).Min();
+    private double Braking { get; } = program.LeastAcceleration;
 
     /// <summary>The fastest that the path may be anywhere, counts/s: the machine may already be in a faster sequence.</summary>
     private double Speed { get; } = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * JobControl.FeedRange.Max;

@@ -52,7 +52,7 @@ internal static class ResumeFinder
         if (counter is null || calls is null || x is null || y is null || z is null) return null;
         var within = job.Header.Mode switch
         {
-            JobMode.Stream => Math.Min((int)counter, opened.Starts[^1]),
+            JobMode.Stream => opened.Done((int)counter),
             JobMode.Calls => calls > opened.Calls ? 1 : 0,
             _ => ChunkProgress.Within(opened.Starts, (int)calls, (int)counter),
         };

@@ -9,7 +9,7 @@ namespace Engraver.Galil.Programs.Generation;
 /// <summary>Collects the segments of consecutive strokes into sequences, plans their speeds, and tracks the controller's predicted position after
 /// each.</summary>
 /// <param name="planner">For the limits of the machine.</param>
-/// <param name="arcs">Computes the two arcs of a divided one.</param>
+/// <param name="arcs">Has the resolution of angles.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
 /// <param name="columns">Columns of the whole program; the sequences are appended to them.</param>
 internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, MotionStyle style, VectorColumns columns)
@@ -24,10 +24,13 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
 
     /// <summary>The exact start of each segment.</summary>
     private readonly List<Point2D> _starts = [];
-    private readonly List<VectorSegment> _planned = [];
+    private readonly SpeedDivision _division = new(planner, arcs.Quantum);
     private CountsPoint _start;
     private int _startHeight;
     private double _length;
+
+    /// <summary>The highest feed that is asked of them, counts/s.</summary>
+    private double _feed;
     private bool _changesHeight;
     private bool _hasArcs;
     private IReadOnlyList<EntityShare>? _shares;
@@ -128,47 +131,20 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     private void Add(in VectorSegment segment, Point2D end, double feed, PathDirection start, PathDirection last)
     {
         _starts.Add(Position);
-        _segments.Add(WithShares(segment, EntityShare.Between(_shares, _along, _along + segment.Length)));
+        _segments.Add(SpeedDivision.WithShares(segment, EntityShare.Between(_shares, _along, _along + segment.Length)));
         _along += segment.Length;
         planner.Add(segment.Length, segment.Kind == VectorSegmentKind.Line ? double.PositiveInfinity : segment.Radius, feed, start, last);
         _length += segment.Length;
+        _feed = Math.Max(_feed, feed);
         (Position, Height) = (end, segment.End.Z);
         if (style == MotionStyle.Calls || _length + (2.0 * DmcLimits.LongestSegment) > (_changesHeight ? DmcLimits.LongestIncrements : DmcLimits.LongestSequence)) EndSequence();
     }
 
-    /// <summary>The sequence with its planned speeds. Where it brakes inside a segment, the segment is divided there.</summary>
+    /// <summary>The sequence with its planned speeds.</summary>
     private void Append()
     {
-        _planned.Clear();
-        var fastest = 0;
-        for (var i = 0; i < _segments.Count; i++)
-        {
-            var speeds = planner.SpeedsOf(i);
-            if (speeds.Second == 0 || !Divide(i, speeds)) _planned.Add(_segments[i] with { Speed = speeds.Second == 0 ? speeds.First : speeds.FirstFor(0.0, planner.Acceleration) });
-            fastest = Math.Max(fastest, _planned[^1].Speed);
-            if (speeds.Second != 0) fastest = Math.Max(fastest, _planned.Count > 1 ? _planned[^2].Speed : 0);
-        }
-
-        if (_planned.TrueForAll(segment => segment.Speed == fastest))
-        {
-            for (var i = 0; i < _planned.Count; i++) _planned[i] = _planned[i] with { Speed = 0 };
-        }
-
-        columns.Append(fastest, planner.Acceleration, _planned, _changesHeight);
-    }
-
-    private static VectorSegment WithShares(in VectorSegment segment, IReadOnlyList<EntityShare>? shares) =>
-        shares is null ? segment : segment with { EntityIndex = shares[0].EntityIndex, Shares = shares.Count > 1 ? shares : null };
-
-    private bool Divide(int index, SegmentSpeeds speeds)
-    {
-        var (from, segment) = (_starts[index], _segments[index]);
-        var z = index == 0 ? _startHeight : _segments[index - 1].End.Z;
-        if ((segment.Kind == VectorSegmentKind.Line ? SegmentDivision.Line(from, z, segment, speeds.Braking) : SegmentDivision.Arc(from, segment, speeds.Braking, arcs.Quantum)) is not { } parts) return false;
-        var place = parts.First.Length;
-        _planned.Add(WithShares(parts.First, EntityShare.Between(segment.Shares, 0.0, place)) with { Speed = speeds.FirstFor(parts.Last.Length, planner.Acceleration) });
-        _planned.Add(WithShares(parts.Last, EntityShare.Between(segment.Shares, place, place + parts.Last.Length)) with { Speed = speeds.Second });
-        return true;
+        _division.Divide(_segments, _starts, _startHeight);
+        columns.Append(_division.Fastest, planner.Acceleration, _division.Planned, _changesHeight, _changesHeight ? null : (int)_feed);
     }
 
     private void Clear()
@@ -176,7 +152,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
         planner.Clear();
         _segments.Clear();
         _starts.Clear();
-        (_length, _changesHeight, _hasArcs) = (0.0, false, false);
+        (_length, _feed, _changesHeight, _hasArcs) = (0.0, 0.0, false, false);
         _startHeight = Height;
     }
 }

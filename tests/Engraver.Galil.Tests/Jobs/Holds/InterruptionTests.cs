@@ -31,7 +31,7 @@ public sealed class InterruptionTests : IDisposable
     {
         var random = new Random(seed);
         var mode = (JobMode)(seed % 3);
-        var program = RandomProgram(random, mode, MachineProfile.Default);
+        var program = RandomProgram(random, mode, MachineProfile.Default, seed % 2 == 0 ? null : 8000);
         await using var bench = new SimulatedBench();
 
         var (resumes, kills) = await CutAsync(bench, random, mode, program, seed);
@@ -48,7 +48,7 @@ public sealed class InterruptionTests : IDisposable
     {
         var random = new Random(seed);
         var mode = (JobMode)(seed % 3);
-        var program = RandomProgram(random, mode, HeightBench.Profile);
+        var program = RandomProgram(random, mode, HeightBench.Profile, feed: null);
         await using var bench = new SimulatedBench();
 
         var (resumes, _) = await CutAsync(bench, random, mode, program, seed);
@@ -100,7 +100,8 @@ public sealed class InterruptionTests : IDisposable
     /// previous one ended, and sequences have random lengths. An arc is followed by a line, which ends on whole counts: the generator, which is not used here,
     /// computes the ends of a chain of arcs.</summary>
     /// <remarks>If an axis moves the tool, lines may rise or fall; such a sequence has no arcs.</remarks>
-    private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile)
+    /// <param name="feed">Counts/s, where an override above it plans the speeds again; the bends allow less than twice of it. Null: 20000, not known to the job.</param>
+    private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile, int? feed)
     {
         var strokes = new List<MotionStroke>();
         for (var s = random.Next(2, 5); s > 0; s--)
@@ -117,7 +118,7 @@ public sealed class InterruptionTests : IDisposable
                 heading += segments[^1].DeltaDegrees;
                 at = segments[^1].End;
                 if (mode != JobMode.Calls && random.Next(8) > 0 && i > 1 && !(isSlope && isSteep)) continue;
-                sequences.Add(new VectorSequence(begin, 20000, segments) { ChangesHeight = isSlope });
+                sequences.Add(new VectorSequence(begin, feed ?? 20000, segments) { ChangesHeight = isSlope, Feed = feed });
                 (begin, segments) = (at, []);
             }
 
