@@ -285,7 +285,7 @@ internal sealed class ControllerCore : IDisposable
     private void PollHosts()
     {
         var isHeldUp = _dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsReplyPending || Machine.Handles.Open.Any(static handle => handle.IsMidCommand);
-        _clock.Poll(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
+        _clock.Poll(isHeldUp, Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true);
     }
 
     /// <summary>Stops the controller after an internal error of the simulator, because its state can no longer be trusted. Disconnects every client, so that

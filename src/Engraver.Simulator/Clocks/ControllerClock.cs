@@ -15,7 +15,8 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     private static readonly TimeSpan UnansweredTimeout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>Wall time of silence after which a host in another process is considered lost: time passes without it, and a watchdog can detect the loss. A
-    /// host in this process is waited for indefinitely, because it is late only when this process is late.</summary>
+    /// host in this process is late only when this process is late, and is waited for unless it waits for bytes that do not come, as after a reply that was
+    /// damaged on the way.</summary>
     private static readonly TimeSpan LostHostTimeout = TimeSpan.FromSeconds(10);
 
     private readonly SilenceRule _silence = new(machine, options.Time);
@@ -85,7 +86,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     }
 
     private bool IsStuck(HostClock host, bool isHeldUp, bool isRead) =>
-        host.IsElsewhere ? _silence.Silent >= (isHeldUp ? UnansweredTimeout : LostHostTimeout) : isHeldUp && isRead && _silence.Silent >= UnansweredTimeout;
+        (host.IsElsewhere || isRead) && _silence.Silent >= (isHeldUp ? UnansweredTimeout : LostHostTimeout);
 
     private TimeSpan _lastPoll;
 

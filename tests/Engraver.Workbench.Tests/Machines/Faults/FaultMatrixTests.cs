@@ -58,7 +58,7 @@ public sealed class FaultMatrixTests(ITestOutputHelper output)
         }
     }
 
-    /// <summary>Durations without a fault. Only that of a pen's job depends on its mode; steppers take as long as a pen.</summary>
+    /// <summary>Durations without a fault. That of a job depends on its mode (calls have no segments at corners); steppers take as long as a pen.</summary>
     private async Task MeasureAsync(MachineKind machine)
     {
         foreach (var mode in Enum.GetValues<JobMode>())
@@ -66,7 +66,7 @@ public sealed class FaultMatrixTests(ITestOutputHelper output)
             var run = _extents[(HostActivity.Run, mode, machine)] = machine switch
             {
                 MachineKind.Stepper => _extents[(HostActivity.Run, mode, MachineKind.Pen)],
-                MachineKind.Mill when mode != JobMode.Stream => _extents[(HostActivity.Run, JobMode.Stream, machine)],
+                MachineKind.Mill when mode == JobMode.Program => _extents[(HostActivity.Run, JobMode.Stream, machine)],
                 _ => await FaultTrial.MeasureAsync(HostActivity.Run, mode, machine),
             };
             foreach (var activity in Enum.GetValues<HostActivity>().Where(activity => activity != HostActivity.Run)) _extents[(activity, mode, machine)] = activity switch

@@ -28,6 +28,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Position error of a motor at rest that is not reported, counts: 0.2 mm.</summary>
     private const int MostError = 200;
 
+    /// <summary>Of these machines, and what an axis moves in a few samples, mm.</summary>
+    private const double PositionErrorLimitMm = 4.05;
+
     private static readonly CountsPoint s_goal = new(20_000, -7_000);
 
     private readonly FaultyMachine _machine = new(one.Machine, one.Activity == HostActivity.Home);
@@ -205,7 +208,10 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         if (isResumed) Check(next.CutCounts <= MostCounts, "with the operator's remedy it has cut something twice", next);
     }
 
-    private bool IsRight(FaultyRun run) => run.IsComplete && run.IsCutRight && IsItsPlace(run.Zero);
+    /// <summary>The whole part was cut at its place. Where only the end of the run before was lost, nothing is left to cut. A record that begins before the
+    /// run holds the jam itself, until the controller ended it at its position error limit.</summary>
+    private bool IsRight(FaultyRun run) =>
+        ((run.IsComplete && IsItsPlace(run.Zero)) || run.IsNothingLeft) && run.IsCutRightWithin(one.Fault.Kind == FaultKind.Jam && one.Activity is not (HostActivity.Run or HostActivity.Stop) ? PositionErrorLimitMm : FaultyRun.HealthyFollowingMm);
 
     private async Task<FaultyRun> UntilHeardAsync(bool isResumed)
     {

@@ -314,7 +314,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     private PreparedJob Job(JobMode mode)
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
-        var settings = new DrawingSettings { Machine = _profile, CornerToleranceMm = 0.0 };
+        var settings = new DrawingSettings { Machine = _profile };
         File.WriteAllBytes(path, Part());
         return JobPreparation.Prepare(DrawingFile.Open(path, settings, CancellationToken.None), settings, mode.Strategy().Style);
     }
@@ -379,9 +379,17 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 
     public bool IsComplete => Result is { Outcome: JobOutcome.Complete };
 
-    /// <summary>The commanded path is the drawing, and the motors were never farther from it than healthy servos of this machine may be: 0.5 mm and 0.07 s
-    /// of 20 mm/s.</summary>
-    public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && (Record.CommandedDeviationMm ?? deviation) <= Tolerance && missing <= Tolerance && (Record.FollowingMm ?? 0.0) <= 0.5 + (0.07 * 20.0);
+    /// <summary>The largest following error of healthy servos of this machine, mm: 0.5 mm and 0.07 s of 20 mm/s.</summary>
+    public const double HealthyFollowingMm = 0.5 + (0.07 * 20.0);
+
+    /// <summary>The commanded path is the drawing, and the motors were never farther from it than healthy servos may be.</summary>
+    public bool IsCutRight => IsCutRightWithin(HealthyFollowingMm);
+
+    /// <summary>The commanded path is the drawing, and the motors were never farther from it than this, mm.</summary>
+    public bool IsCutRightWithin(double following) => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && (Record.CommandedDeviationMm ?? deviation) <= Tolerance && missing <= Tolerance && (Record.FollowingMm ?? 0.0) <= following;
+
+    /// <summary>It was refused because the job that it resumes had been cut to its end.</summary>
+    public bool IsNothingLeft => Refusal is not null && Sentence.Contains("nothing is left to cut", StringComparison.Ordinal);
 
     public static FaultyRun Unconnected(string sentence) => new(null, null, RunJudgement.Unknown, 0.0) { Sentence = sentence };
 
