@@ -27,6 +27,7 @@ internal sealed class JobMachine
         Tool = new JobTool(this, options.DryRun);
         var control = options.Control ?? new JobControl();
         Speed = new JobSpeed(this, program, control);
+        Settings = new MotionSettings(this);
         Hold = new JobHold(this, control, log, options.SoftLimits);
         Watch = new JobWatch(this, program, ledger, progress);
     }
@@ -55,6 +56,9 @@ internal sealed class JobMachine
 
     /// <summary>The overrides in force.</summary>
     public JobSpeed Speed { get; }
+
+    /// <summary>Settings of the motion that the host commands.</summary>
+    public MotionSettings Settings { get; }
 
     /// <summary>What the job does about a hold that the operator requests.</summary>
     public JobHold Hold { get; }
@@ -213,6 +217,7 @@ internal sealed class JobMachine
         CounterGivenUp = State.Counter;
         _ledger.GiveUp(SegmentsDone, isInside ? Here : null);
         Tool.GiveUp();
+        Settings.Forget();
         _log.SequenceDone(this);
     }
 

@@ -37,7 +37,7 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
 
     private async Task<(int Height, bool Reached)> RaiseAsync(MachineAxis z, int from, int goal, TimeSpan pollInterval)
     {
-        foreach (var command in (string[])[.. RapidMove.Commands(z, goal, profile.RapidSpeed(z)), "BG" + z.Letter])
+        foreach (var command in (string[])[MotionSettings.SpeedOf(z.Letter, profile.RapidSpeed(z)), RapidMove.GoalOf(z, goal), "BG" + z.Letter])
         {
             if (await SendAsync(command).ConfigureAwait(false) is Rejected) return (from, false);
         }

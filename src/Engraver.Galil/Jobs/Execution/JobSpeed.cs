@@ -68,6 +68,10 @@ internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobCon
     /// <summary>A program was started that sets SP to the planned speeds.</summary>
     public void RapidsAreAsPlanned() => _rapidRatio = 1.0;
 
+    /// <summary>Sends the requested VR before a sequence.</summary>
+    /// <param name="isKnown">The controller has the ratio that was sent last: an unchanged one is not sent again.</param>
+    public ValueTask PutInForceAsync(bool isKnown) => isKnown && Requested == Ratio ? ValueTask.CompletedTask : SendRatioAsync();
+
     /// <summary>Sends the requested VR, whatever was sent before, and reads it back. VR has no form with a plane letter (galil-dmc.md B.1).</summary>
     public async ValueTask SendRatioAsync()
     {
@@ -91,6 +95,7 @@ internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobCon
     private ValueTask SendRapidsAsync()
     {
         _rapidRatio = control.RapidRatio;
-        return machine.Commands.SendAllAsync(new[] { machine.Profile.Axes.X, machine.Profile.Axes.Y }.Select(axis => DmcFormat.Text($"SP{axis.Letter}={RapidSpeed(axis)}")));
+        machine.Settings.ForgetRapids();
+        return machine.Commands.SendAllAsync(new[] { machine.Profile.Axes.X, machine.Profile.Axes.Y }.Select(axis => MotionSettings.SpeedOf(axis.Letter, RapidSpeed(axis))));
     }
 }

@@ -37,8 +37,8 @@ internal static class RapidMove
         var from = machine.State.Position;
         var axes = Moving(machine.Profile.Axes, from, goal);
         if (axes.Count == 0) return;
-        await machine.Commands.SendAllAsync(axes.SelectMany(axis => Commands(axis.Axis, axis.Goal, speed(axis.Axis)))).ConfigureAwait(false);
-        await SettingCheck.ReadBackAsync(machine, [.. axes.Select(axis => ($"_SP{axis.Axis.Letter}", (double)speed(axis.Axis), SettingCheck.Speed))]).ConfigureAwait(false);
+        await machine.Settings.SendRapidsAsync(axes.Select(axis => (axis.Axis.Letter, speed(axis.Axis)))).ConfigureAwait(false);
+        await machine.Commands.SendAllAsync(axes.Select(axis => GoalOf(axis.Axis, axis.Goal))).ConfigureAwait(false);
         var seconds = machine.Profile.Axes.All.Select((axis, i) => SpeedTrapezoid.Time(Math.Abs((double)goal[i] - from[i]), speed(axis), machine.Profile.AccelerationCounts)).Max();
         await machine.Commands.SendAsync("BG" + string.Concat(axes.Select(axis => axis.Axis.Letter))).ConfigureAwait(false);
         using (machine.Enter(machine.Phase with { Expected = state => OffWay(machine, from, state.Position, goal) })) await machine.PollUntilAsync(state => state.IsAtRest, seconds).ConfigureAwait(false);
@@ -56,8 +56,8 @@ internal static class RapidMove
 
     private static bool IsBetween(long from, long at, long to) => at >= Math.Min(from, to) && at <= Math.Max(from, to);
 
-    /// <summary>SP and PA of one axis.</summary>
-    public static IReadOnlyList<string> Commands(MachineAxis axis, long goal, int speed) => [DmcFormat.Text($"SP{axis.Letter}={speed}"), DmcFormat.Text($"PA{axis.Letter}={goal}")];
+    /// <summary>PA of one axis.</summary>
+    public static string GoalOf(MachineAxis axis, long goal) => DmcFormat.Text($"PA{axis.Letter}={goal}");
 
     /// <summary>The axes that have to move, and where they go.</summary>
     public static IReadOnlyList<(MachineAxis Axis, long Goal)> Moving(MachineAxes axes, CountsPoint from, CountsPoint goal) =>

@@ -147,12 +147,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, CutSequ
         var ahead = Ahead;
         Measure(ahead);
         _byIncrements = !_sequence.ChangesHeight && machine.Line is null && DmcAxes.AreLeading(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
-        var acceleration = _sequence.AccelerationOn(machine.Profile);
-        await machine.Commands.SendAllAsync(["CSS", _sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={_sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
-        await SettingCheck.ReadBackAsync(
-            machine, ("_VSS", _sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false);
-        await machine.Speed.SendRatioAsync().ConfigureAwait(false);
-        _capacity = (int)await machine.Commands.AskAsync("_LMS").ConfigureAwait(false);
+        await machine.Commands.SendAllAsync(["CSS", _sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters]).ConfigureAwait(false);
+        await machine.Settings.SendAsync(_sequence.Speed, _sequence.AccelerationOn(machine.Profile)).ConfigureAwait(false);
+        _capacity = machine.Settings.Capacity;
     }
 
     /// <summary>Computes the planned time of each segment.</summary>

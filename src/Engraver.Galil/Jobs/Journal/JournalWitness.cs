@@ -26,7 +26,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     {
         var place = job.Place;
         if (job.End?.Outcome.IsSectionEnd() == true) return ""; // then the machine has left the path
-        if (place <= new JobPosition(job.Header.FromSegments, job.Header.FromAlong) || job.Position is not { } at) return "";
+        if (IsOfEarlierJob || job.Position is not { } at) return "";
         var here = new Point2D(at.X - job.Header.FrameX, at.Y - job.Header.FrameY);
         if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.EndedByFault ? IsNear(place, here) : IsAhead(place, here))) return "";
         return Wording.Get("Resume.PositionElsewhere", place.Segments, program.SegmentCount, Math.Round(place.Along), at.X, at.Y);
@@ -36,7 +36,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     /// <param name="sequences">seq, as far as it counts this job; null where it does not.</param>
     public string WhyNotCounted(double? sequences)
     {
-        if (job.Opened is not { Starts.Count: > 0 } opened) return "";
+        if (IsOfEarlierJob || job.Opened is not { Starts.Count: > 0 } opened) return "";
         var counted = opened.First + (job.Header.Mode switch
         {
             JobMode.Calls when sequences is { } calls => calls > opened.Calls ? 1 : 0,
@@ -50,7 +50,10 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     /// between two sequences: then only the position shows it.</summary>
     /// <param name="trip">By what the controller counted.</param>
     /// <param name="at">Where it stopped the machine, job frame.</param>
-    public string WhyNotReached(JobPosition trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
+    public string WhyNotReached(JobPosition trip, CountsPoint at) => IsOfEarlierJob || trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
+
+    /// <summary>The place is the one from which this job continued: in its lead-in the machine and what the controller counts are before it.</summary>
+    private bool IsOfEarlierJob => job.Place <= new JobPosition(job.Header.FromSegments, job.Header.FromAlong);
 
     private string Contradicted(JobPosition counted) => Wording.Get("Resume.CountersContradict", job.Place.Segments, Math.Round(job.Place.Along), counted.Segments, Math.Round(counted.Along));
 

@@ -15,6 +15,9 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     private const int CapacityDigits = 3;
 
     private readonly SerialConversation _talk = new(line);
+    private readonly HashSet<char> _rapids = [];
+    private int _speed;
+    private int _acceleration;
 
     public override double Loading(MotionProgram program) => 0.0;
 
@@ -24,7 +27,12 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
         _talk.Poll(from);
         if (from == to) return _talk.Now - begun;
         var axes = RapidMove.Moving(program.Profile.Axes, from, to);
-        foreach (var (axis, goal) in axes) SayAll([.. RapidMove.Commands(axis, goal, program.Profile.RapidSpeed(axis))]);
+        foreach (var (axis, _) in axes)
+        {
+            if (_rapids.Add(axis.Letter)) SayAll(MotionSettings.SpeedOf(axis.Letter, program.Profile.RapidSpeed(axis)));
+        }
+
+        foreach (var (axis, goal) in axes) SayAll(RapidMove.GoalOf(axis, goal));
         _talk.Command("BG" + string.Concat(axes.Select(moving => moving.Axis.Letter)));
         var end = _talk.Heard + moving;
         _talk.Moves(end, 0);
@@ -50,7 +58,8 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
         {
             for (var move = 0; move < MovesOfTool(on); move++)
             {
-                SayAll([.. RapidMove.Commands(z, at.Z, program.Profile.RapidSpeed(z)), "BG" + z.Letter]);
+                if (_rapids.Add(z.Letter) || move > 0 || !on) SayAll(MotionSettings.SpeedOf(z.Letter, program.Profile.RapidSpeed(z))); // rapid, plunge, rapid
+                SayAll(RapidMove.GoalOf(z, at.Z), "BG" + z.Letter);
                 var end = _talk.Heard + (moving / MovesOfTool(on));
                 _talk.Moves(end, 0);
                 PollUntil(at, end, moving / MovesOfTool(on));
@@ -93,8 +102,16 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     private void Stream(VectorSequence sequence, double moving, MachineProfile profile)
     {
         var acceleration = sequence.AccelerationOn(profile);
-        SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}"), "VR 1");
-        _talk.Ask("_LMS", CapacityDigits);
+        SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters);
+        if (sequence.Speed != _speed) SayAll(DmcFormat.Text($"VSS={sequence.Speed}"));
+        if (acceleration != _acceleration) SayAll(DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}"));
+        if (_acceleration == 0)
+        {
+            SayAll("VR 1");
+            _talk.Ask("_LMS", CapacityDigits);
+        }
+
+        (_speed, _acceleration) = (sequence.Speed, acceleration);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;
         var segments = DmcFormat.Commands(sequence, profile.Axes).ToList();

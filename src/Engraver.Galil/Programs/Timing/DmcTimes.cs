@@ -23,8 +23,8 @@ public abstract class DmcTimes : CommandTimes
     {
     }
 
-    /// <summary>A job run by the host over the network: 1.6 ms for each command.</summary>
-    public static CommandTimes Ethernet { get; } = new EthernetTimes();
+    /// <summary>A job run by the host over the network: 1.6 ms for each command. For one estimate, because it follows the settings of the sequences.</summary>
+    public static CommandTimes Ethernet => new EthernetTimes();
 
     public override double Sample => SampleSeconds;
 

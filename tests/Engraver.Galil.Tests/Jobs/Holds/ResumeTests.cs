@@ -98,6 +98,30 @@ public sealed class ResumeTests : IDisposable
         HoldRecord.AssertNoRepeatedCut(bench, program, (runs - 1) * (LeadIn + SinceLastPoll));
     }
 
+    /// <summary>In the lead-in the controller counts segments that the earlier job has cut.</summary>
+    [Theory]
+    [MemberData(nameof(Modes))]
+    public async Task A_resumed_job_that_is_interrupted_in_its_lead_in_is_resumed_from_the_same_place(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        var program = MotionPrograms.ShortLines(60, step: 300) with { Style = mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous };
+        using var stop = new CancellationTokenSource();
+        using var again = new CancellationTokenSource();
+        await RunAsync(bench, program, mode, "a", default, new CancelWhen(now => now.SegmentsExecuted >= 8, stop.Cancel), stop.Token);
+        var found = await FindAsync(bench, program, mode, "a");
+
+        var second = await RunAsync(bench, program, mode, "b", found, new CancelWhen(now => now.ToolOn && now.IsOnPath, again.Cancel), again.Token);
+        var same = await FindAsync(bench, program, mode, "b");
+        var third = await RunAsync(bench, program, mode, "c", same, null, CancellationToken.None);
+
+        Assert.Equal(JobOutcome.Stopped, second.Outcome);
+        Assert.True(second.SegmentsExecuted < found.Place.Segments, second.SegmentsExecuted.ToString(System.Globalization.CultureInfo.InvariantCulture));
+        Assert.Null(same.Refusal);
+        Assert.Equal(found.Place, same.Place);
+        Assert.Equal((JobOutcome.Complete, 60), (third.Outcome, third.SegmentsExecuted));
+        HoldRecord.AssertEverythingWasCut(bench, program);
+    }
+
     [Theory]
     [InlineData("other")]
     [InlineData("mode")]

@@ -28,8 +28,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Position error of a motor at rest that is not reported, counts: 0.2 mm.</summary>
     private const int MostError = 200;
 
-    /// <summary>Of these machines, and what an axis moves in a few samples, mm.</summary>
-    private const double PositionErrorLimitMm = 4.05;
+    /// <summary>4 mm of these machines, and what an axis moves until the controller has ended it, mm.</summary>
+    private const double JammedMm = 5.0;
 
     private static readonly CountsPoint s_goal = new(20_000, -7_000);
 
@@ -46,6 +46,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Lost steps of a jammed stepper are not detected: the machine continues with an offset until it is homed or the origin is set again, and the
     /// part is spoiled.</summary>
     private bool MayLoseSteps => one is { Machine: MachineKind.Stepper, Fault.Kind: FaultKind.Jam };
+
+    /// <summary>A tool axis that is jammed for a short time while the others stand cuts nothing wrong.</summary>
+    private bool IsOfHeight => one.Fault is { Kind: FaultKind.Jam, Axis: "C" };
 
     /// <summary>Maximum cut length of all runs of the case, counts.</summary>
     private double MostCounts => PartCounts + (_resumes * AgainCounts) + (_machine.HasHeight ? (_resumes + 1) * BrakingCounts : 0.0);
@@ -130,7 +133,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     {
         Check(!limit.IsCancellationRequested, "it hung", run);
         Check(run.Sentence.Length > 0 && !run.Sentence.Contains("Exception", StringComparison.Ordinal), "it is not told in a sentence", run);
-        Check(!one.IsRun || !run.IsComplete || MayLoseSteps || run.IsCutRight, "complete and wrong", run);
+        Check(!one.IsRun || !run.IsComplete || MayLoseSteps || run.IsCutRightWithin(IsOfHeight ? JammedMm : FaultyRun.HealthyFollowingMm), "complete and wrong", run);
         Check(!one.IsRun || !run.IsComplete || MayLoseSteps || run.Zero == _zero, "complete and at another place", run);
         Check(!one.IsRun || run.Result?.FrameOrigin is null || run.OpenLoop == (one.Machine == MachineKind.Stepper ? "XY" : ""), $"it takes the positions of {run.OpenLoop} for those that were commanded", run);
         Check(one.Activity != HostActivity.GoTo || !run.IsComplete || MayLoseSteps || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
@@ -211,7 +214,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>The whole part was cut at its place. Where only the end of the run before was lost, nothing is left to cut. A record that begins before the
     /// run holds the jam itself, until the controller ended it at its position error limit.</summary>
     private bool IsRight(FaultyRun run) =>
-        ((run.IsComplete && IsItsPlace(run.Zero)) || run.IsNothingLeft) && run.IsCutRightWithin(one.Fault.Kind == FaultKind.Jam && one.Activity is not (HostActivity.Run or HostActivity.Stop) ? PositionErrorLimitMm : FaultyRun.HealthyFollowingMm);
+        ((run.IsComplete && IsItsPlace(run.Zero)) || run.IsNothingLeft) && run.IsCutRightWithin(one.Fault.Kind == FaultKind.Jam && one.Activity is not (HostActivity.Run or HostActivity.Stop) ? JammedMm : FaultyRun.HealthyFollowingMm);
 
     private async Task<FaultyRun> UntilHeardAsync(bool isResumed)
     {
