@@ -52,11 +52,14 @@ public static class MotionRules
 
     public static readonly DiagnosticRule SendingTooSlow = new("MOT0027", Severity.Warning, "wanted", "needed", "sent", "count", "feed");
 
+    /// <summary>The connected network is too slow to send the segments at the feed.</summary>
+    public static readonly DiagnosticRule NetworkTooSlow = new("MOT0028", Severity.Warning, "milliseconds", "carried", "wanted", "needed", "count", "feed");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
-        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall, ProfileFieldIgnored, SendingTooSlow,
+        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall, ProfileFieldIgnored, SendingTooSlow, NetworkTooSlow,
     ];
 }

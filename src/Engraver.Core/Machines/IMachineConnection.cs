@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Machines.Setup;
@@ -56,6 +57,13 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Sends a line that an operator typed in the controller's own language, and returns the replies.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation);
+
+    /// <summary>Measures the link, and lowers the speeds of a program whose segments it cannot carry in time.</summary>
+    /// <param name="program">As <see cref="Motion.IMachineDriver.LimitFeedToLink"/> has adapted it to the kind of the link.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file; null if it is not known.</param>
+    /// <returns>The program itself, and no finding, where the link is as fast as planned.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    ValueTask<LinkFeedFit> FitToLinkAsync(MotionProgram program, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf, CancellationToken cancellation) => new(new LinkFeedFit(program, []));
 
     /// <summary>Takes text that programs in the controller have printed since the last call.</summary>
     bool TryTakeMessage([NotNullWhen(true)] out string? message);

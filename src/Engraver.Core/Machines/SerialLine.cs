@@ -11,6 +11,10 @@ public sealed record SerialLine(int Baud)
     /// <summary>Seconds for one byte: a start bit, eight data bits, a stop bit.</summary>
     public double ByteSeconds => 10.0 / Baud;
 
+    /// <summary>Time between the last byte of a line and the first of the next, seconds: the controller executes the last statement (galil-dmc.md A.4) and the
+    /// host takes the prompts. The other statements are executed while the next one arrives.</summary>
+    public double TurnaroundSeconds { get; init; } = 0.002;
+
     /// <summary>Time for a number of bytes.</summary>
     public TimeSpan Time(long bytes) => TimeSpan.FromSeconds(bytes * ByteSeconds);
 }

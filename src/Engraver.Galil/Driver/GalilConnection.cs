@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
@@ -10,6 +11,8 @@ using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Setup;
@@ -78,6 +81,16 @@ public sealed class GalilConnection : IMachineConnection
     public Task<IReadOnlyList<TerminalAnswer>> ExecuteLineAsync(string line, CancellationToken cancellation) => _terminal.ExecuteLineAsync(line, cancellation);
 
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _messages.TryDequeue(out message);
+
+    public async ValueTask<LinkFeedFit> FitToLinkAsync(MotionProgram program, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        if (JobModes.Of(strategy) != JobMode.Stream || !program.Strokes.Any(stroke => stroke.Sequences.Any(sequence => FeedLimit.IsNeeded(sequence.Segments.Count)))) return new LinkFeedFit(program, []);
+        var measured = await RoundTrip.MeasureAsync(_session.Commands, _session.Time, cancellation).ConfigureAwait(false);
+        return _session.Line is { } line
+            ? LinkFeedFitting.Create(program, line with { TurnaroundSeconds = Math.Max(line.TurnaroundSeconds, measured) }, sourceOf)
+            : NetworkFeedFitting.Create(program, measured, sourceOf);
+    }
 
     public Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) => JobRunner.RunAsync(program, _session, options, progress, stop);
 

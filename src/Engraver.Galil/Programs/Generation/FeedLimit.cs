@@ -20,8 +20,9 @@ internal static class FeedLimit
     /// <summary>The highest even speed on each segment at which every window of segments takes long enough, counts/s: the length of the window around it,
     /// divided by that time.</summary>
     /// <param name="lengths">Of the segments, counts.</param>
+    /// <param name="secondsPerSegment">Average time of a segment.</param>
     /// <returns>Null where the host is fast enough for any speed.</returns>
-    public static int[]? Of(IReadOnlyList<double> lengths)
+    public static int[]? Of(IReadOnlyList<double> lengths, double secondsPerSegment = SecondsPerSegment)
     {
         if (!IsNeeded(lengths.Count)) return null;
         var (speeds, window, from, to) = (new int[lengths.Count], 0.0, 0, 0);
@@ -30,7 +31,7 @@ internal static class FeedLimit
             var first = Math.Clamp(i - (Window / 2), 0, lengths.Count - Window);
             for (; to < first + Window; to++) window += lengths[to];
             for (; from < first; from++) window -= lengths[from];
-            speeds[i] = (int)Math.Clamp(2.0 * Math.Floor(window / (Window * SecondsPerSegment) / 2.0), DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed);
+            speeds[i] = (int)Math.Clamp(2.0 * Math.Floor(window / (Window * secondsPerSegment) / 2.0), DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed);
         }
 
         return speeds;

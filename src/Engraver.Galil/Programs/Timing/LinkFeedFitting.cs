@@ -27,10 +27,11 @@ public static class LinkFeedFitting
     private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
     {
         var (needed, carried) = LinkFeedLimit.Rates(worst, line);
+        var asked = worst.Feed ?? worst.Speed;
         var scale = program.Profile.Scale.Coarser; // as a feed becomes a vector speed
         string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
         string Feed(int countsPerSecond) => scale.LengthOf(60.0 * countsPerSecond).ToString("0.#", CultureInfo.InvariantCulture);
         return MotionRules.WireTooSlow.At(
-            sourceOf?.Invoke(worst.Segments[0].EntityIndex) ?? default, Number(needed), Number(line.Baud), Number(carried), Number(lowered), Feed(speed), Feed(worst.Speed));
+            sourceOf?.Invoke(worst.Segments[0].EntityIndex) ?? default, Number(needed * asked / worst.Speed), Number(line.Baud), Number(carried), Number(lowered), Feed(speed), Feed(asked));
     }
 }

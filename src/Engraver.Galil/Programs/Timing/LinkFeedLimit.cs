@@ -29,10 +29,6 @@ public static class LinkFeedLimit
     /// slow cut.</summary>
     private const double Overhead = 1.2;
 
-    /// <summary>Time between the last byte of a line and the first of the next: the controller executes the last statement (galil-dmc.md A.4) and the host
-    /// takes the prompts, seconds. The other statements are executed while the next one arrives.</summary>
-    private const double TurnaroundSeconds = 0.002;
-
     /// <summary>Delay between detecting that few segments are left and the command reaching the controller: four readings of the path, seconds.</summary>
     public static double ReactionSeconds(SerialLine line)
     {
@@ -83,7 +79,7 @@ public static class LinkFeedLimit
     private static double[] Costs(VectorSequence sequence, SerialLine line)
     {
         var room = StreamLines.Room(line) + 1;
-        return [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + (TurnaroundSeconds / Math.Max(1, room / (command.Length + 1))))];
+        return [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + (line.TurnaroundSeconds / Math.Max(1, room / (command.Length + 1))))];
     }
 
     /// <summary>Only the length of a command matters, not its axis letters.</summary>

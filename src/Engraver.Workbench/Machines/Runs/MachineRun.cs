@@ -84,6 +84,9 @@ public static class MachineRun
             taken.AssumeOrigins(options.NamedOrigins, program.Profile.Axes.Z is not null);
         }
 
+        var link = await machine.FitToLinkAsync(program, options.Strategy, job.Drawing.SourceOf, stop).ConfigureAwait(false);
+        foreach (var finding in link.Diagnostics) options.FindingReported?.Invoke(finding);
+        program = link.Program;
         var beginning = await ResumePoint.FindAsync(machine, job, program, options, (options.Lease ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var section = options.DryRun ? null : JobSection.At(job, program, beginning.Place); // a dry run needs no other tool
