@@ -26,6 +26,9 @@ switch (args)
     case ["measure", var engraver, var tolerance, var folder, .. var machines] when machines.Length > 0:
         MotionTable.Write(new EngraverProgram(engraver), double.Parse(tolerance, CultureInfo.InvariantCulture), folder, machines);
         return 0;
+    case ["load", var engraver, var drawing, var machine, var load, var runs, var atOnce, var link, .. var options]:
+        new LoadTable(engraver).Write(drawing, machine, int.Parse(load, CultureInfo.InvariantCulture), int.Parse(runs, CultureInfo.InvariantCulture), int.Parse(atOnce, CultureInfo.InvariantCulture), link, options);
+        return 0;
     case ["acceleration", var record, var counts]:
         var a = double.Parse(counts, CultureInfo.InvariantCulture);
         var found = RecordedAcceleration.Of(record, a);
@@ -42,6 +45,8 @@ switch (args)
                      print the limits of each stroke
                    Engraver.MotionLimits measure ENGRAVER TOLERANCE FOLDER PROFILE...
                      print a table of all drawings of the folder on all machines
+                   Engraver.MotionLimits load ENGRAVER DRAWING PROFILE THREADS RUNS AT-ONCE tcp|BAUD [OPTION...]
+                     run the drawing in real time on simulated controllers while that many threads compute
                    Engraver.MotionLimits acceleration RECORD.csv COUNTS
                      print the largest acceleration of a record of the simulated controller beside that of its machine, counts/s2
             """);

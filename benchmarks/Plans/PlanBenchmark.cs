@@ -9,13 +9,13 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Benchmarks.Plans;
 
-/// <summary>Processor time of speed plans and of whole motion programs of a million segments.</summary>
+/// <summary>Processor time and memory of speed plans and of whole motion programs of a million segments.</summary>
 internal static class PlanBenchmark
 {
     private const int Segments = 1_000_000;
 
     /// <summary>Head of the table, Markdown.</summary>
-    public static string Head => "| what | lines | segments | CPU s |\n|---|---|---|---|";
+    public static string Head => "| what | lines | segments | CPU s | bytes per segment |\n|---|---:|---:|---:|---:|";
 
     /// <summary>The rows, in order; each is measured the second time, compiled.</summary>
     public static IEnumerable<string> Rows(CancellationToken stop)
@@ -30,10 +30,11 @@ internal static class PlanBenchmark
 
     private static MachineProfile Machine => MachineProfile.Default with { AccelerationCounts = 1_999_872, FeedMmPerMinute = 6000.0 };
 
-    /// <summary>The planner alone: lines and arcs with random turns, in one sequence.</summary>
+    /// <summary>The planner alone: lines and arcs with random turns, in one sequence. Its memory is in use while a sequence is planned.</summary>
     private static string Plan()
     {
         var random = new Random(1);
+        var memory = GC.GetTotalMemory(forceFullCollection: true);
         var planner = new SpeedPlanner(PathLimits.Of(Machine), 1024);
         var before = Environment.CpuUsage.TotalTime;
         var heading = 0.0;
@@ -45,7 +46,7 @@ internal static class PlanBenchmark
         }
 
         planner.Plan();
-        return Row("speed plan", Segments, Segments, before);
+        return Row("speed plan", Segments, Segments, before, memory, planner);
     }
 
     private static string Program(string name, Func<int, Point2D> at, bool fitsArcs)
@@ -53,9 +54,10 @@ internal static class PlanBenchmark
         var moves = new StrokeMove[Segments];
         for (var i = 0; i < moves.Length; i++) moves[i] = new StrokeMove(Segment.FromLine(at(i), at(i + 1)), 0);
         var path = new Toolpath(default, [new ToolpathStroke(0, false, moves)]);
+        var memory = GC.GetTotalMemory(forceFullCollection: true);
         var before = Environment.CpuUsage.TotalTime;
         var made = MachineFamilies.DriverOf(Machine).Generate(path, Machine, new MotionTolerances(0.001, 0.01) { FitsArcs = fitsArcs }, null, MotionStyle.Continuous);
-        return Row(name + (fitsArcs ? ", fit-arcs" : ""), Segments, made.Program!.SegmentCount, before);
+        return Row(name + (fitsArcs ? ", fit-arcs" : ""), Segments, made.Program!.SegmentCount, before, memory, made);
     }
 
     /// <summary>Corners everywhere: each is rounded or slow, and no arcs fit.</summary>
@@ -63,6 +65,14 @@ internal static class PlanBenchmark
 
     private static Point2D Spiral(int i) => Point2D.Origin + Vector2D.FromPolar(5.0 + (4e-5 * i), Angle.FromRadians(0.002 * i));
 
-    private static string Row(string what, int lines, int segments, TimeSpan before) =>
-        string.Create(CultureInfo.InvariantCulture, $"| {what} | {lines} | {segments} | {(Environment.CpuUsage.TotalTime - before).TotalSeconds:0.00} |");
+    /// <param name="before">Processor time before the work.</param>
+    /// <param name="memory">Bytes in use before it.</param>
+    /// <param name="result">What it leaves.</param>
+    private static string Row(string what, int lines, int segments, TimeSpan before, long memory, object result)
+    {
+        var seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
+        var kept = (GC.GetTotalMemory(forceFullCollection: true) - memory) / (double)segments;
+        GC.KeepAlive(result);
+        return string.Create(CultureInfo.InvariantCulture, $"| {what} | {lines} | {segments} | {seconds:0.00} | {kept:0} |");
+    }
 }

@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace Engraver.Core.Machines;
 
 /// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 20 for a sequence, 56 for a stroke. Objects are
@@ -27,8 +29,26 @@ public sealed class VectorColumns(int segments)
     public void Append(int speed, int acceleration, IReadOnlyList<VectorSegment> cut, bool changesHeight, int? feed = null)
     {
         ArgumentNullException.ThrowIfNull(cut);
-        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, Acceleration = acceleration, Feed = feed ?? 0, ChangesHeight = changesHeight });
-        for (var i = 0; i < cut.Count; i++) Append(cut[i]);
+        BeginSequence();
+        for (var i = 0; i < cut.Count; i++) Add(cut[i]);
+        EndSequence(speed, acceleration, changesHeight, feed, isUniform: false);
+    }
+
+    /// <summary>Begins a sequence of the segments that are added next; it begins where the last one of its stroke ends.</summary>
+    public void BeginSequence() => _sequences.Add(new SequenceCells { First = _segments.Count });
+
+    /// <summary>Ends the sequence that was begun last.</summary>
+    /// <param name="speed">As <see cref="VectorSequence.Speed"/>.</param>
+    /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
+    /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
+    /// <param name="feed">As <see cref="VectorSequence.Feed"/>.</param>
+    /// <param name="isUniform">Every segment has this speed, and states none of its own.</param>
+    public void EndSequence(int speed, int acceleration, bool changesHeight, int? feed, bool isUniform)
+    {
+        var first = _sequences[^1].First;
+        _sequences[^1] = new SequenceCells { First = first, Speed = speed, Acceleration = acceleration, Feed = feed ?? 0, ChangesHeight = changesHeight };
+        if (!isUniform) return;
+        foreach (ref var segment in CollectionsMarshal.AsSpan(_segments)[first..]) segment.Speed = 0;
     }
 
     /// <summary>Appends a stroke of the sequences that were appended since the last one.</summary>
@@ -79,7 +99,8 @@ public sealed class VectorColumns(int segments)
 
     internal CountsPoint EndOf(int segment) => _segments[segment].End;
 
-    private void Append(in VectorSegment segment)
+    /// <summary>Adds a segment to the sequence that was begun last.</summary>
+    public void Add(in VectorSegment segment)
     {
         var arc = segment.Kind == VectorSegmentKind.Line ? NoArc : _arcs.Count;
         if (arc != NoArc) _arcs.Add(new ArcCells { Radius = segment.Radius, ThetaDegrees = segment.ThetaDegrees, DeltaDegrees = segment.DeltaDegrees });

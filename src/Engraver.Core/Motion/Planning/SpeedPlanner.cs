@@ -38,30 +38,25 @@ public sealed class SpeedPlanner
     private readonly PathLimits _limits;
     private readonly int _step;
     private readonly List<double> _lengths = [];
-    private readonly List<double> _feeds = [];
+    private readonly List<int> _feeds = [];
 
-    /// <summary>Of arcs; infinite for a line.</summary>
-    private readonly List<double> _radii = [];
+    /// <summary>Of arcs; infinite for a line. Whole counts up to 6,000,000 are exact.</summary>
+    private readonly List<float> _radii = [];
 
-    /// <summary>Largest acceleration along a line; for an arc in any direction.</summary>
+    /// <summary>Largest acceleration along a line; for an arc in any direction. Empty where it is the same everywhere.</summary>
     private readonly List<double> _bounds = [];
 
     /// <summary>The turn before each segment, as <see cref="PathLimits.TurnOf"/>.</summary>
     private readonly List<double> _turns = [];
     private PathDirection _last;
     private double _fastest;
+
+    /// <summary>While it is planned squares of speeds: on a segment, up to which the speed may change on it, and at the joint before it. Once it is planned what is
+    /// commanded: a speed from the start of each segment, the length before its end from which a second one holds, and that second speed or 0.</summary>
     private double[] _hold = [];
     private double[] _ramp = [];
     private double[] _joint = [];
-    private double[] _forward = [];
     private double[] _speeds = [];
-    private double[] _best = [];
-
-    /// <summary>What is commanded: a speed from the start of each segment, a second one or 0, and the length before its end from which the second
-    /// holds.</summary>
-    private int[] _first = [];
-    private int[] _second = [];
-    private double[] _braking = [];
 
     /// <param name="limits">Of the machine.</param>
     /// <param name="step">VA is a multiple of this, counts/s2.</param>
@@ -101,9 +96,9 @@ public sealed class SpeedPlanner
     {
         _turns.Add(Count == 0 ? 0.0 : _limits.TurnOf(_last, start));
         _lengths.Add(length);
-        _radii.Add(radius);
-        _feeds.Add(feed);
-        _bounds.Add(double.IsInfinity(radius) ? _limits.Along(start) : _limits.OnArcs);
+        _radii.Add((float)radius);
+        _feeds.Add((int)feed);
+        if (HasBounds) _bounds.Add(double.IsInfinity(radius) ? _limits.Along(start) : _limits.OnArcs);
         _last = end;
         _fastest = Math.Max(_fastest, feed);
     }
@@ -128,8 +123,7 @@ public sealed class SpeedPlanner
         (Seconds, Acceleration) = (double.PositiveInfinity, 0);
         if (!HasChoice()) Try(Whole(_limits.Total, _step));
         else Search(least);
-        (_speeds, _best) = (_best, _speeds);
-        SetRamps(Acceleration);
+        Run(Acceleration); // others were tried after it
         Command();
     }
 
@@ -138,7 +132,7 @@ public sealed class SpeedPlanner
     {
         for (var i = 0; i < Count; i++)
         {
-            if (_bounds[i] < _limits.Total || !double.IsInfinity(RadiusOf(i))) return true;
+            if (BoundOf(i) < _limits.Total || !double.IsInfinity(RadiusOf(i))) return true;
         }
 
         return false;
@@ -161,13 +155,11 @@ public sealed class SpeedPlanner
     private void Try(int acceleration)
     {
         var seconds = Run(acceleration);
-        if (!(seconds < Seconds)) return;
-        (Seconds, Acceleration) = (seconds, acceleration);
-        (_best, _speeds) = (_speeds, _best);
+        if (seconds < Seconds) (Seconds, Acceleration) = (seconds, acceleration);
     }
 
     /// <summary>What is commanded for a segment of the plan: one speed from its start, or two with a place between them.</summary>
-    public SegmentSpeeds SpeedsOf(int segment) => new(_first[segment], _second[segment], _braking[segment], _speeds[segment + 1]);
+    public SegmentSpeeds SpeedsOf(int segment) => new((int)_hold[segment], (int)_joint[segment], _ramp[segment], _speeds[segment + 1]);
 
     /// <summary>Computes <see cref="SpeedsOf"/> for all segments, from the end to the start: a brake over several segments is commanded as one.</summary>
     private void Command()
@@ -176,36 +168,42 @@ public sealed class SpeedPlanner
         for (var i = Count - 1; i >= 0; i--)
         {
             var (entry, exit, length) = (_speeds[i], _speeds[i + 1], _lengths[i]);
-            var cap = Even(Math.Sqrt(_ramp[i]));
-            if (entry * entry > _ramp[i] + 1.0) // an arc at constant speed
+            var ramp = _ramp[i];
+            var cap = Even(Math.Sqrt(ramp));
+            if (entry * entry > ramp + 1.0) // an arc at constant speed
             {
-                (_first[i], _second[i], _braking[i]) = (Even(Math.Min(entry, exit)), 0, 0.0);
+                Command(i, Even(Math.Min(entry, exit)));
                 isBraking = false;
                 continue;
             }
 
             if (!isBraking) target = Even(exit);
-            var peak = Math.Sqrt(Math.Min(_ramp[i], ((entry * entry) + (exit * exit)) / 2.0 + (Acceleration * length)));
-            var top = peak * peak < _ramp[i] - 1.0 ? Even(peak - Math.Min(HeldSamples * Acceleration * PathLimits.Sample, Math.Max(0.0, peak - Math.Max(entry, exit)) / 2.0)) : cap;
+            var peak = Math.Sqrt(Math.Min(ramp, ((entry * entry) + (exit * exit)) / 2.0 + (Acceleration * length)));
+            var top = peak * peak < ramp - 1.0 ? Even(peak - Math.Min(HeldSamples * Acceleration * PathLimits.Sample, Math.Max(0.0, peak - Math.Max(entry, exit)) / 2.0)) : cap;
             var brake = SegmentSpeeds.BrakeOf(Math.Min(top, peak), exit, Acceleration);
             var isAutomatic = isBraking && target == 0;
             var isWhole = brake >= length - SameLength;
-            (_second[i], _braking[i]) = (0, 0.0);
-            if (peak - exit <= SameSpeed || isAutomatic) _first[i] = cap;
-            else if (brake < ShortestPart && !isWhole) _first[i] = Even(exit);
-            else if (isWhole || length < ShortestPart) _first[i] = target;
-            else (_first[i], _second[i], _braking[i]) = (top, target, brake);
+            if (peak - exit <= SameSpeed || isAutomatic) Command(i, cap);
+            else if (brake < ShortestPart && !isWhole) Command(i, Even(exit));
+            else if (isWhole || length < ShortestPart) Command(i, target);
+            else Command(i, top, target, brake);
             isBraking = peak - exit > SameSpeed && isWhole && length >= ShortestPart;
             if (!isBraking) target = 0;
         }
     }
 
+    private void Command(int segment, int first, int second = 0, double braking = 0.0) => (_hold[segment], _joint[segment], _ramp[segment]) = (first, second, braking);
+
+    /// <summary>An axis has a bound of its own.</summary>
+    private bool HasBounds => _limits.OnArcs < _limits.Total;
+
+    private double BoundOf(int segment) => HasBounds ? _bounds[segment] : _limits.Total;
+
     private void Reserve()
     {
         if (_hold.Length >= Count + 1) return;
-        var size = Math.Max(64, Count + 1 + (Count / 2));
-        (_first, _second, _braking) = (new int[size], new int[size], new double[size]);
-        (_hold, _ramp, _joint, _forward, _speeds, _best) = (new double[size], new double[size], new double[size], new double[size], new double[size], new double[size]);
+        var size = Math.Max(64, Count + 1 + (Count / 8));
+        (_hold, _ramp, _joint, _speeds) = (new double[size], new double[size], new double[size], new double[size]);
     }
 
     /// <summary>Squares of the speeds that are allowed on each segment and at each joint, whatever VA is.</summary>
@@ -214,7 +212,7 @@ public sealed class SpeedPlanner
         for (var i = 0; i < Count; i++)
         {
             var feed = Square(Even(_feeds[i]));
-            _hold[i] = double.IsInfinity(_radii[i]) ? feed : Math.Min(feed, Square(Even(Math.Sqrt(_bounds[i] * _radii[i]))));
+            _hold[i] = double.IsInfinity(_radii[i]) ? feed : Math.Min(feed, Square(Even(Math.Sqrt(BoundOf(i) * _radii[i]))));
             _joint[i] = i == 0 ? 0.0 : Square(Even(Math.Min(_fastest, _limits.SpeedThrough(_turns[i], Math.Min(_lengths[i - 1], _lengths[i])))));
         }
     }
@@ -224,7 +222,7 @@ public sealed class SpeedPlanner
         var (least, hasBends) = (double.PositiveInfinity, false);
         for (var i = 0; i < Count; i++)
         {
-            least = Math.Min(least, _bounds[i]);
+            least = Math.Min(least, BoundOf(i));
             hasBends |= !double.IsInfinity(RadiusOf(i)) && _hold[i] > 0.0;
         }
 
@@ -250,7 +248,7 @@ public sealed class SpeedPlanner
     {
         for (var i = 0; i < Count; i++)
         {
-            var bound = _bounds[i];
+            var bound = BoundOf(i);
             if (acceleration > bound * (1.0 + 1e-9))
             {
                 _ramp[i] = 0.0;
@@ -272,7 +270,7 @@ public sealed class SpeedPlanner
         for (var i = 0; i < Count; i++)
         {
             square = Math.Min(square, Math.Min(_joint[i], _hold[i]));
-            _forward[i] = square;
+            _speeds[i] = square; // the highest from the start
             if (square <= _ramp[i]) square = Math.Min(_ramp[i], square + (twice * _lengths[i]));
         }
 
@@ -282,7 +280,7 @@ public sealed class SpeedPlanner
         {
             var exit = _speeds[i + 1];
             if (square <= _ramp[i]) square = Math.Min(_ramp[i], square + (twice * _lengths[i]));
-            square = Math.Min(Math.Min(square, _hold[i]), Math.Min(i == 0 ? 0.0 : _joint[i], _forward[i]));
+            square = Math.Min(Math.Min(square, _hold[i]), Math.Min(i == 0 ? 0.0 : _joint[i], _speeds[i]));
             var entry = Math.Sqrt(square);
             _speeds[i] = entry;
             seconds += TimeOf(entry, exit, _ramp[i], _lengths[i], acceleration);

@@ -313,8 +313,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, CutSequ
 /// <param name="ReactionSeconds">Delay between detecting that few segments are left and the command reaching the controller, seconds.</param>
 internal sealed record FeedPace(int SegmentsBetweenPolls, int MostBetweenPolls, bool FillsFirst, double ReactionSeconds)
 {
-    /// <summary>At 1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat.</summary>
-    private static FeedPace Network { get; } = new(16, 16, FillsFirst: false, 0.06);
+    /// <summary>At 1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat; <see cref="FeedLimit.ExchangesPerSegment"/>.</summary>
+    private static FeedPace Network { get; } = new(28, 32, FillsFirst: false, 0.1);
 
     public static FeedPace From(SerialLine? line) => line is null ? Network : new FeedPace(LinkFeedLimit.SegmentsBetweenPolls, LinkFeedLimit.MostBetweenPolls(line), FillsFirst: true, LinkFeedLimit.ReactionSeconds(line));
 }

@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Motion.Planning;
@@ -38,16 +37,21 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
     {
         if (sequence.Feed is not { } feed || sequence.ChangesHeight) return AsPlanned(sequence);
         var planner = new SpeedPlanner(PathLimits.Of(profile), DmcLimits.AccelerationStep);
-        var starts = Add(sequence, planner, Math.Min(DmcLimits.FastestSpeed, Math.Floor(feed * ratio / 2.0) * 2.0));
+        Add(sequence, planner, Math.Min(DmcLimits.FastestSpeed, Math.Floor(feed * ratio / 2.0) * 2.0));
         if (FeedLimit.IsNeeded(sequence.Segments.Count) && FeedLimit.Of([.. sequence.Segments.Select(segment => segment.Length)]) is { } sent) planner.LimitTo(sent);
         planner.Plan(least);
         var division = new SpeedDivision(planner, new AngleQuantum(profile.AngleQuantumDegrees));
-        division.Divide([.. sequence.Segments], starts, sequence.Start.Z);
-        var planned = sequence with { Speed = division.Fastest, Acceleration = planner.Acceleration, Segments = [.. division.Planned] };
+        var (segments, divided) = (new List<VectorSegment>(sequence.Segments.Count), new List<int>());
+        division.Divide(sequence.Segments, sequence.Start, (segment, goesOn) =>
+        {
+            if (goesOn) divided.Add(segments.Count);
+            segments.Add(segment);
+        });
+        var planned = sequence with { Speed = division.Fastest, Acceleration = planner.Acceleration, Segments = division.IsUniform ? [.. segments.Select(segment => segment with { Speed = 0 })] : segments };
         if (line is not null) planned = planned.LimitedTo(LinkFeedLimit.FastestSpeed(planned, line, planner.Acceleration));
         return SequenceProfile.SecondsOf(planned, profile) > (1.0 - LeastGain) * SequenceProfile.SecondsOf(sequence, profile)
             ? AsPlanned(sequence)
-            : new CutSequence(planned, ratio) { Program = sequence, Divided = [.. division.Divided] };
+            : new CutSequence(planned, ratio) { Program = sequence, Divided = divided };
     }
 
     /// <summary>Segments of the program among the first ones that are sent.</summary>
@@ -75,22 +79,16 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
     public VectorSegment? Ended(int index) => WholeAmong(index + 1) is var whole && whole > WholeAmong(index) ? Program.Segments[whole - 1] : null;
 
     /// <summary>Appends the segments to a planner.</summary>
-    /// <returns>The exact start of each.</returns>
-    private static List<Point2D> Add(VectorSequence sequence, SpeedPlanner planner, double feed)
+    private static void Add(VectorSequence sequence, SpeedPlanner planner, double feed)
     {
-        var (starts, from, last) = (new List<Point2D>(sequence.Segments.Count), sequence.Start, default(PathDirection?));
-        var (exact, length) = (new Point2D(from.X, from.Y), 0.0);
+        var (from, last, length) = (sequence.Start, default(PathDirection?), 0.0);
         foreach (var segment in sequence.Segments)
         {
             var (first, end) = PathDirection.AtEnds(from, segment);
             if (last is { } before && IsRounding(before, first, Math.Min(length, segment.Length))) first = before;
             planner.Add(segment.Length, segment.Kind == VectorSegmentKind.Line ? double.PositiveInfinity : segment.Radius, feed, first, end);
-            starts.Add(exact);
-            exact = segment.Kind == VectorSegmentKind.Line ? new Point2D(segment.End.X, segment.End.Y) : new ArcPrediction(exact, segment.Radius, segment.ThetaDegrees, segment.DeltaDegrees).End;
             (from, last, length) = (segment.End, end, segment.Length);
         }
-
-        return starts;
     }
 
     /// <summary>A turn by less than a count over the shorter of two segments is that of ends in whole counts, and not of the drawing.</summary>

@@ -2,8 +2,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The speeds at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops the
-/// machine at once.</summary>
+/// <summary>The speeds at which the host can still send a long sequence: a segment needs about 2 ms, and a buffer that runs dry stops the machine at once
+/// (galil-dmc.md B.7).</summary>
 internal static class FeedLimit
 {
     /// <summary>A sequence of up to this many segments is in the buffer before it starts.</summary>
@@ -11,8 +11,13 @@ internal static class FeedLimit
 
     private const int Window = 256;
 
-    /// <summary>Average time of a segment over any window, seconds.</summary>
-    public const double SecondsPerSegment = 0.0025;
+    /// <summary>Exchanges for each segment while a path is streamed: a poll is sent for every 28 segments, position errors are read ten times
+    /// and a heartbeat is sent five times a second.</summary>
+    public const double ExchangesPerSegment = 1.08;
+
+    /// <summary>Average time of a segment over any window, seconds: 1.6 ms for the exchange and 0.5 ms in which the controller executes the command
+    /// (galil-dmc.md A.4).</summary>
+    public const double SecondsPerSegment = ExchangesPerSegment * 0.0021;
 
     /// <summary>A sequence of this many segments is sent while it is cut.</summary>
     public static bool IsNeeded(int segments) => segments > SegmentsSentAhead;

@@ -75,7 +75,7 @@ public static class MotionProgramGenerator
         var sent = 1.0 / FeedLimit.SecondsPerSegment;
         string Feed(double countsPerSecond) => FactText.Of(Math.Round(profile.Scale.Coarser.LengthOf(60.0 * countsPerSecond), 1));
         return MotionRules.SendingTooSlow.At(
-            source(worst.Entity), Feed(worst.Feed), FactText.Of(Math.Round(sent * worst.Feed / worst.Speed)), FactText.Of(sent), generators.Sum(generator => generator.SlowSequences).ToString(CultureInfo.InvariantCulture), Feed(worst.Speed));
+            source(worst.Entity), Feed(worst.Feed), FactText.Of(Math.Round(sent * worst.Feed / worst.Speed)), FactText.Of(Math.Round(sent)), generators.Sum(generator => generator.SlowSequences).ToString(CultureInfo.InvariantCulture), Feed(worst.Speed));
     }
 
     /// <summary>The machine with the speeds of a stroke.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
@@ -21,12 +22,12 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     private const int LastStep = 2;
 
     private readonly List<VectorSegment> _segments = [];
-
-    /// <summary>The exact start of each segment.</summary>
-    private readonly List<Point2D> _starts = [];
     private readonly SpeedDivision _division = new(planner, arcs.Quantum);
+    private readonly Action<VectorSegment, bool> _add = (segment, _) => columns.Add(segment);
     private CountsPoint _start;
-    private int _startHeight;
+
+    /// <summary>Where the sequence begins.</summary>
+    private CountsPoint _from;
     private double _length;
 
     /// <summary>The highest feed that is asked of them, counts/s.</summary>
@@ -64,7 +65,7 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        if (FeedLimit.IsNeeded(_segments.Count) && FeedLimit.Of([.. _segments.Select(segment => segment.Length)]) is { } sent) PlanAsSent(sent);
+        if (FeedLimit.IsNeeded(_segments.Count) && FeedLimit.Of(new ComputedList<double>(_segments.Count, i => _segments[i].Length)) is { } sent) PlanAsSent(sent);
         else planner.Plan();
         Append();
         var end = _segments[^1].End;
@@ -80,14 +81,18 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
 
     private void PlanAsSent(int[] sent)
     {
-        double[] feeds = [.. Enumerable.Range(0, sent.Length).Select(planner.FeedOf)];
+        for (var i = 0; i < sent.Length; i++)
+        {
+            if (sent[i] >= planner.FeedOf(i)) sent[i] = int.MaxValue; // it can be sent at its feed
+        }
+
         planner.LimitTo(sent);
         planner.Plan();
         var slowest = default(SlowSending?);
         for (var i = 0; i < sent.Length; i++)
         {
-            if (sent[i] >= feeds[i] || planner.SpeedsOf(i).First < sent[i] - LastStep) continue; // the path itself is slower
-            if (slowest is null || sent[i] / feeds[i] < slowest.Value.Speed / slowest.Value.Feed) slowest = new SlowSending(sent[i], feeds[i], _segments[i].EntityIndex);
+            if (sent[i] == int.MaxValue || planner.SpeedsOf(i).First < sent[i] - LastStep) continue; // the path itself is slower
+            if (slowest is null || sent[i] < slowest.Value.Speed) slowest = new SlowSending(sent[i], _feed, _segments[i].EntityIndex);
         }
 
         if (slowest is not { } found) return;
@@ -130,7 +135,6 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
 
     private void Add(in VectorSegment segment, Point2D end, double feed, PathDirection start, PathDirection last)
     {
-        _starts.Add(Position);
         _segments.Add(SpeedDivision.WithShares(segment, EntityShare.Between(_shares, _along, _along + segment.Length)));
         _along += segment.Length;
         planner.Add(segment.Length, segment.Kind == VectorSegmentKind.Line ? double.PositiveInfinity : segment.Radius, feed, start, last);
@@ -143,17 +147,17 @@ internal sealed class SequenceBuilder(SpeedPlanner planner, ArcCommandFit arcs, 
     /// <summary>The sequence with its planned speeds.</summary>
     private void Append()
     {
-        _division.Divide(_segments, _starts, _startHeight);
-        columns.Append(_division.Fastest, planner.Acceleration, _division.Planned, _changesHeight, _changesHeight ? null : (int)_feed);
+        columns.BeginSequence();
+        _division.Divide(_segments, _from, _add);
+        columns.EndSequence(_division.Fastest, planner.Acceleration, _changesHeight, _changesHeight ? null : (int)_feed, _division.IsUniform);
     }
 
     private void Clear()
     {
         planner.Clear();
         _segments.Clear();
-        _starts.Clear();
         (_length, _feed, _changesHeight, _hasArcs) = (0.0, 0.0, false, false);
-        _startHeight = Height;
+        _from = CountsScale.Round(Position) with { Z = Height };
     }
 }
 

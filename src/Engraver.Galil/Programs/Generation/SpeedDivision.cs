@@ -9,51 +9,52 @@ namespace Engraver.Galil.Programs.Generation;
 /// <param name="quantum">Resolution of angles.</param>
 internal sealed class SpeedDivision(SpeedPlanner planner, AngleQuantum quantum)
 {
-    private readonly List<VectorSegment> _planned = [];
-    private readonly List<int> _divided = [];
-
-    /// <summary>The segments as they are sent.</summary>
-    public IReadOnlyList<VectorSegment> Planned => _planned;
-
-    /// <summary>Those of them after which the same segment goes on.</summary>
-    public IReadOnlyList<int> Divided => _divided;
+    private int _slowest;
 
     /// <summary>The highest speed of a segment, counts/s.</summary>
     public int Fastest { get; private set; }
 
+    /// <summary>Every segment has the same speed: it is that of the sequence, and none has to state it.</summary>
+    public bool IsUniform => _slowest == Fastest;
+
     /// <param name="segments">As they were planned.</param>
-    /// <param name="starts">The exact start of each.</param>
-    /// <param name="height">Height at the first start, counts.</param>
-    public void Divide(IReadOnlyList<VectorSegment> segments, IReadOnlyList<Point2D> starts, int height)
+    /// <param name="start">Where the first of them begins.</param>
+    /// <param name="add">Receives each segment as it is sent, and whether the same segment goes on after it.</param>
+    public void Divide(IReadOnlyList<VectorSegment> segments, CountsPoint start, Action<VectorSegment, bool> add)
     {
-        _planned.Clear();
-        _divided.Clear();
-        Fastest = 0;
+        (_slowest, Fastest) = (int.MaxValue, 0);
+        var (from, height) = (new Point2D(start.X, start.Y), start.Z);
         for (var i = 0; i < segments.Count; i++)
         {
             var (speeds, segment) = (planner.SpeedsOf(i), segments[i]);
-            if (speeds.Second == 0 || !Divide(segment, starts[i], height, speeds)) _planned.Add(segment with { Speed = speeds.Second == 0 ? speeds.First : speeds.FirstFor(0.0, planner.Acceleration) });
-            height = segment.End.Z;
-        }
-
-        foreach (var segment in _planned) Fastest = Math.Max(Fastest, segment.Speed);
-        if (_planned.TrueForAll(segment => segment.Speed == Fastest))
-        {
-            for (var i = 0; i < _planned.Count; i++) _planned[i] = _planned[i] with { Speed = 0 };
+            if (speeds.Second != 0 && PartsOf(segment, from, height, speeds.Braking) is { } parts) Add(segment, parts, speeds, add);
+            else Add(segment, speeds.Second == 0 ? speeds.First : speeds.FirstFor(0.0, planner.Acceleration), false, add);
+            (from, height) = (EndOf(segment, from), segment.End.Z);
         }
     }
+
+    /// <summary>Where the controller is after a segment: whole counts after VP, the exact end point after CR.</summary>
+    /// <param name="from">Where it is before it.</param>
+    private static Point2D EndOf(in VectorSegment segment, Point2D from) =>
+        segment.Kind == VectorSegmentKind.Line ? new Point2D(segment.End.X, segment.End.Y) : new ArcPrediction(from, segment.Radius, segment.ThetaDegrees, segment.DeltaDegrees).End;
 
     /// <summary>A segment that cuts these entities.</summary>
     public static VectorSegment WithShares(in VectorSegment segment, IReadOnlyList<EntityShare>? shares) =>
         shares is null ? segment : segment with { EntityIndex = shares[0].EntityIndex, Shares = shares.Count > 1 ? shares : null };
 
-    private bool Divide(in VectorSegment segment, Point2D from, int height, SegmentSpeeds speeds)
+    private (VectorSegment First, VectorSegment Last)? PartsOf(in VectorSegment segment, Point2D from, int height, double braking) =>
+        segment.Kind == VectorSegmentKind.Line ? SegmentDivision.Line(from, height, segment, braking) : SegmentDivision.Arc(from, segment, braking, quantum);
+
+    private void Add(in VectorSegment segment, (VectorSegment First, VectorSegment Last) parts, SegmentSpeeds speeds, Action<VectorSegment, bool> add)
     {
-        if ((segment.Kind == VectorSegmentKind.Line ? SegmentDivision.Line(from, height, segment, speeds.Braking) : SegmentDivision.Arc(from, segment, speeds.Braking, quantum)) is not { } parts) return false;
         var place = parts.First.Length;
-        _divided.Add(_planned.Count);
-        _planned.Add(WithShares(parts.First, EntityShare.Between(segment.Shares, 0.0, place)) with { Speed = speeds.FirstFor(parts.Last.Length, planner.Acceleration) });
-        _planned.Add(WithShares(parts.Last, EntityShare.Between(segment.Shares, place, place + parts.Last.Length)) with { Speed = speeds.Second });
-        return true;
+        Add(WithShares(parts.First, EntityShare.Between(segment.Shares, 0.0, place)), speeds.FirstFor(parts.Last.Length, planner.Acceleration), true, add);
+        Add(WithShares(parts.Last, EntityShare.Between(segment.Shares, place, place + parts.Last.Length)), speeds.Second, false, add);
+    }
+
+    private void Add(in VectorSegment segment, int speed, bool goesOn, Action<VectorSegment, bool> add)
+    {
+        (_slowest, Fastest) = (Math.Min(_slowest, speed), Math.Max(Fastest, speed));
+        add(segment with { Speed = speed }, goesOn);
     }
 }

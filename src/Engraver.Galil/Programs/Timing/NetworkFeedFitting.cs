@@ -8,14 +8,11 @@ namespace Engraver.Galil.Programs.Timing;
 /// <summary>Lowers the speeds of a motion program if the exchanges of a network take longer than the plan assumes (<see cref="FeedLimit"/>).</summary>
 internal static class NetworkFeedFitting
 {
-    /// <summary>Exchanges for each segment: polls and heartbeats are sent between the segments.</summary>
-    private const double Exchanges = 1.25;
-
     /// <param name="exchangeSeconds">Measured time from a command to its reply.</param>
     /// <param name="sourceOf">Position of an entity in the drawing's file; null if it is not known.</param>
     public static LinkFeedFit Create(MotionProgram program, double exchangeSeconds, Func<int, SourceRef>? sourceOf)
     {
-        var perSegment = Exchanges * exchangeSeconds;
+        var perSegment = FeedLimit.ExchangesPerSegment * exchangeSeconds;
         if (perSegment <= FeedLimit.SecondsPerSegment) return new LinkFeedFit(program, []);
         var (count, worst) = (0, default((VectorSequence Wanted, int Speed, int Segment)?));
         VectorSequence Fit(VectorSequence sequence)

@@ -278,10 +278,10 @@ public class MotionProgramGeneratorTests
         var fine = Toolpaths.OfStroke([.. Enumerable.Range(0, 1000).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
         var shortFine = Toolpaths.OfStroke([.. Enumerable.Range(0, 400).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
 
-        Assert.Equal(8_000, Only(Program(fine, profile)).Sequences[0].Speed);
+        Assert.Equal(8_818, Only(Program(fine, profile)).Sequences[0].Speed);
         Assert.Equal(20_000, Only(Program(shortFine, profile)).Sequences[0].Speed);
         var finding = Assert.Single(MotionProgramGenerator.Generate(fine, profile, new(MaxError, 0.0), entity => new SourceRef(70 + entity)).Diagnostics);
-        Assert.Equal(("MOT0027", "1200", "1000", "400", "1", "480"), (finding.Id, finding.Facts[0], finding.Facts[1], finding.Facts[2], finding.Facts[3], finding.Facts[4]));
+        Assert.Equal(("MOT0027", "1200", "1000", "441", "1", "529.1"), (finding.Id, finding.Facts[0], finding.Facts[1], finding.Facts[2], finding.Facts[3], finding.Facts[4]));
         Assert.Empty(MotionProgramGenerator.Generate(shortFine, profile, new(MaxError, 0.0), null).Diagnostics);
         Assert.Empty(MotionProgramGenerator.Generate(fine, profile, new(MaxError, 0.0) { FitsArcs = true }, null).Diagnostics);
     }

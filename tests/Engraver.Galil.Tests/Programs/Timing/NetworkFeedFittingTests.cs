@@ -10,12 +10,12 @@ namespace Engraver.Galil.Tests.Programs.Timing;
 /// <summary>A network that is slower than the plan assumes lowers the feed of the sequences that need it, and a warning tells by how much.</summary>
 public class NetworkFeedFittingTests
 {
-    /// <summary>60 counts take 3 ms at 20,000 counts/s: a segment may take 2.4 ms of exchanges.</summary>
+    /// <summary>60 counts take 3 ms at 20,000 counts/s, and a segment needs 1.08 exchanges.</summary>
     [Theory]
     [InlineData(0.0016, null)]
     [InlineData(0.0024, null)]
-    [InlineData(0.0048, 10000)]
-    [InlineData(0.024, 2000)]
+    [InlineData(0.0055555, 10000)]
+    [InlineData(0.0277777, 2000)]
     public void A_long_sequence_is_no_faster_than_its_segments_can_be_sent(double exchange, int? speed)
     {
         var program = MotionPrograms.ShortLines(1500);
@@ -42,7 +42,7 @@ public class NetworkFeedFittingTests
         var program = MotionPrograms.ShortLines(1500);
         var slowed = program with { Strokes = [.. program.Strokes.Select(stroke => stroke with { Sequences = [.. stroke.Sequences.Select(sequence => sequence with { Feed = 40000 })] })] };
 
-        Assert.Contains("At 2400 mm/min the path needs 667", Assert.Single(NetworkFeedFitting.Create(slowed, 0.0048, null).Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("At 2400 mm/min the path needs 667", Assert.Single(NetworkFeedFitting.Create(slowed, 0.0055555, null).Diagnostics).Message, StringComparison.Ordinal);
     }
 
     [Fact]
