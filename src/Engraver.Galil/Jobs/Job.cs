@@ -230,7 +230,11 @@ internal sealed class Job
         _ => throw new ArgumentOutOfRangeException(nameof(mode)),
     };
 
-    private async Task<(JobEnd End, StandstillReport? Standstill)> BringToRestAsync(JobEnd end) => _touched ? await _standstill.ReachAsync(end, _strategy).ConfigureAwait(false) : (end, null);
+    private async Task<(JobEnd End, StandstillReport? Standstill)> BringToRestAsync(JobEnd end)
+    {
+        await _machine.Commands.EndBeatingAsync().ConfigureAwait(false);
+        return _touched ? await _standstill.ReachAsync(end, _strategy).ConfigureAwait(false) : (end, null);
+    }
 
     private async Task<IReadOnlyList<string>> LeaveAsFoundAsync() => _touched ? await _found.RestoreAsync(_machine.Watch).ConfigureAwait(false) : [];
 

@@ -14,6 +14,7 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
 {
     private Heartbeat _heartbeat = new(session.Time);
     private string _beat = ResidentServer.HeartbeatCommand;
+    private HeartbeatKeeper? _keeper;
 
     /// <summary>Time without a heartbeat after which the watchdog trips.</summary>
     public double WatchdogSeconds => _heartbeat.WatchdogSeconds;
@@ -32,6 +33,7 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     /// <summary>Sends one command, and the heartbeat when it is due. A rejection is returned and does not end the job.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
+        _keeper?.ThrowIfFailed();
         if (IsBeatDueBefore(command.Length) && await session.Commands.SendAsync(_beat, order.ToSend()).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await session.Commands.SendAsync(command, order.ToSend()).ConfigureAwait(false);
         if (reply is Accepted && command != _beat) progress.Acted();
@@ -44,6 +46,7 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
     /// <param name="segments">Those that may be sent, in order; at least one.</param>
     public async ValueTask<SentSegments> ReplyAsync(IEnumerable<string> segments)
     {
+        _keeper?.ThrowIfFailed();
         var first = segments.First();
         if (session.Line is not { } line) return SentSegments.One(await ReplyAsync(first).ConfigureAwait(false), first);
         var beats = StreamLines.Fit(line, _beat, first) && _heartbeat.IsDueWithSegments() ? 1 : 0;
@@ -56,6 +59,20 @@ internal sealed class JobCommands(ControllerSession session, StopOrder order, Jo
         if (reply is not Rejected refused) progress.Acted();
         else return new SentSegments(reply, Math.Max(0, refused.Part - beats), statements.Count - beats, bytes);
         return new SentSegments(reply, statements.Count - beats, statements.Count - beats, bytes);
+    }
+
+    /// <summary>From now on heartbeats are also sent where this computer delays the job. Not on a clock that is not the computer's: on it the job is never
+    /// late.</summary>
+    public void KeepBeating()
+    {
+        if (session.Time == TimeProvider.System) _keeper ??= new HeartbeatKeeper(session.Time, () => _heartbeat.IsDueBeside(), async () => await session.Commands.SendAsync(_beat, order.ToSend()).ConfigureAwait(false));
+    }
+
+    /// <summary>Ends <see cref="KeepBeating"/>.</summary>
+    public async ValueTask EndBeatingAsync()
+    {
+        if (_keeper is { } keeper) await keeper.DisposeAsync().ConfigureAwait(false);
+        _keeper = null;
     }
 
     /// <summary>Sends the heartbeat if it is due.</summary>

@@ -180,15 +180,17 @@ internal sealed class JobMachine
     /// <summary>The program in the controller was started: waits until its watchdog runs, which every poll checks from then on.</summary>
     public async ValueTask AwaitWatchdogAsync()
     {
+        Commands.KeepBeating();
         await AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false);
         Watch.IsGuarded = true;
     }
 
     /// <summary>Ends the program in the controller and its watchdog; call at rest with the tool off.</summary>
-    public ValueTask HaltProgramAsync()
+    public async ValueTask HaltProgramAsync()
     {
+        await Commands.EndBeatingAsync().ConfigureAwait(false);
         Watch.IsGuarded = false;
-        return Commands.SendAllAsync(ResidentServer.HaltCommands);
+        await Commands.SendAllAsync(ResidentServer.HaltCommands).ConfigureAwait(false);
     }
 
     /// <summary>Defines the job frame (<see cref="JobCoordinates.Take"/>).</summary>
