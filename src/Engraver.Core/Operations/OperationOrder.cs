@@ -3,11 +3,12 @@ using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
+using Engraver.Core.Sequencing.Ordering.Optimising;
 
 namespace Engraver.Core.Operations;
 
 /// <summary>The strokes of the operations in the order of cutting: operation after operation, and within each as the sequencer orders contours. Holes follow
-/// the nearest one, pockets the order of their passes.</summary>
+/// the nearest one or are in the optimal order, pockets in the order of their passes.</summary>
 public static class OperationOrder
 {
     /// <summary>Join tolerance of a computed path, whose ends coincide except for rounding, mm.</summary>
@@ -15,12 +16,14 @@ public static class OperationOrder
 
     /// <param name="shapes">In the order of the operations.</param>
     /// <param name="drawing">The drawing of the entity indices.</param>
-    /// <param name="options">Tolerances, order, and the start of the tool.</param>
-    public static IReadOnlyList<OrderedOperation> Of(IReadOnlyList<ShapedOperation> shapes, Drawing drawing, SequencingOptions options)
+    /// <param name="options">Tolerances, order, and start and end of the tool.</param>
+    /// <param name="search">The search for the optimal order of each operation, when it starts; null: that of the options.</param>
+    public static IReadOnlyList<OrderedOperation> Of(IReadOnlyList<ShapedOperation> shapes, Drawing drawing, SequencingOptions options, Func<OrderSearch>? search = null)
     {
         ArgumentNullException.ThrowIfNull(shapes);
         ArgumentNullException.ThrowIfNull(options);
         var (ordered, tool) = (new List<OrderedOperation>(), options.ToolStart);
+        var last = shapes.LastOrDefault(shape => shape.Path.Count > 0);
         foreach (var shape in shapes)
         {
             if (shape.Path.Count == 0)
@@ -29,9 +32,10 @@ public static class OperationOrder
                 continue;
             }
 
-            var one = shape.Strokes is null ? Sequenced(shape, drawing, options with { ToolStart = tool }) : Planned(shape, tool);
+            var own = options with { ToolStart = tool, ToolEnd = shape == last ? options.ToolEnd : null, Search = search?.Invoke() ?? options.Search };
+            var one = shape.Strokes is null ? Sequenced(shape, drawing, own) : Planned(shape, own);
             ordered.Add(one);
-            if (one.Strokes is [.., var last]) tool = one.Path[last.FirstRow + last.Rows - 1].EndPoint;
+            if (one.Strokes is [.., var stroke]) tool = one.Path[stroke.FirstRow + stroke.Rows - 1].EndPoint;
         }
 
         return ordered;
@@ -108,10 +112,10 @@ public static class OperationOrder
         return area;
     }
 
-    /// <summary>Strokes as planned; those of a drill from hole to nearest hole.</summary>
-    private static OrderedOperation Planned(ShapedOperation shape, Point2D tool)
+    /// <summary>Strokes as planned; those of a drill from hole to nearest hole, or in the optimal order.</summary>
+    private static OrderedOperation Planned(ShapedOperation shape, SequencingOptions options)
     {
-        if (shape.Operation.Kind == OperationKind.Drill) return Drilled(shape, tool);
+        if (shape.Operation.Kind == OperationKind.Drill) return Drilled(shape, options);
         var (strokes, row) = (new List<OrderedStroke>(), 0);
         foreach (var rows in shape.Strokes!)
         {
@@ -122,9 +126,16 @@ public static class OperationOrder
         return new OrderedOperation(shape, shape.Path, strokes);
     }
 
-    private static OrderedOperation Drilled(ShapedOperation shape, Point2D tool)
+    private static OrderedOperation Drilled(ShapedOperation shape, SequencingOptions options)
     {
         Point2D[] holes = [.. Enumerable.Range(0, shape.Path.Count).Select(row => shape.Path[row].StartPoint)];
+        var order = NearestHoles(holes, options.ToolStart);
+        if (options.Order == StrokeOrder.Optimal) order = OptimalOrder.OfPlaces(holes, order, options);
+        return new OrderedOperation(shape, shape.Path.Picking([.. order]), [.. order.Select((_, index) => new OrderedStroke(index, 1, false, -1))]);
+    }
+
+    private static IReadOnlyList<int> NearestHoles(Point2D[] holes, Point2D tool)
+    {
         var (left, order) = (BoxTree.Build(holes), new List<int>());
         while (left.Nearest(tool, (hole, from) => holes[hole].DistanceTo(from), double.PositiveInfinity, out _) is >= 0 and var next)
         {
@@ -133,6 +144,6 @@ public static class OperationOrder
             tool = holes[next];
         }
 
-        return new OrderedOperation(shape, shape.Path.Picking([.. order]), [.. order.Select((_, index) => new OrderedStroke(index, 1, false, -1))]);
+        return order;
     }
 }

@@ -96,9 +96,11 @@ public static class Sequencer
             findings.AddEntry(requested, enter, first, inside);
         }
 
-        return options.Order == StrokeOrder.Drawn
-            ? TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first)
-            : TravelOrder.Nearest(contours, chained.Segments, inside, depth, options.ToolStart, first);
+        if (options.Order == StrokeOrder.Drawn) return TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first);
+        var nearest = TravelOrder.Nearest(contours, chained.Segments, inside, depth, options.ToolStart, first);
+        if (options.Order == StrokeOrder.Nearest) return nearest;
+        var optimal = new OptimalOrder(contours, chained.Segments, inside, depth, options.Search);
+        return optimal.Of(nearest, first?.Contour, options.ToolStart, options.ToolEnd);
     }
 
     private static StrokeList Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)

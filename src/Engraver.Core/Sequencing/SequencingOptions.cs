@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing.Ordering;
+using Engraver.Core.Sequencing.Ordering.Optimising;
 
 namespace Engraver.Core.Sequencing;
 
@@ -27,6 +28,12 @@ public sealed record SequencingOptions
     public Point2D ToolStart { get; init; }
 
     public required StrokeOrder Order { get; init; }
+
+    /// <summary>Cost and extent of the search for <see cref="StrokeOrder.Optimal"/>.</summary>
+    public OrderSearch Search { get; init; } = OrderSearch.Default;
+
+    /// <summary>Position that the tool moves to after the last stroke; <see cref="StrokeOrder.Optimal"/> includes this way. Null: it stays there.</summary>
+    public Point2D? ToolEnd { get; init; }
 
     /// <summary>The stroke that must come first; null for no requirement.</summary>
     public EntryRequest? Entry { get; init; }

@@ -59,6 +59,13 @@ public sealed record DrawingSettings
 
     public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
 
+    /// <summary>What <see cref="StrokeOrder.Optimal"/> minimises.</summary>
+    public OrderCost OrderCost { get; init; } = OrderCost.Time;
+
+    /// <summary>Seconds that the search for <see cref="StrokeOrder.Optimal"/> takes on all cores; 0: a number of steps on one core, so that the same drawing
+    /// always has the same order.</summary>
+    public double OrderSeconds { get; init; }
+
     public bool KeepDuplicates { get; init; }
 
     /// <summary>Lines that approximate an arc within <see cref="MaxErrorMm"/> are cut as that arc.</summary>

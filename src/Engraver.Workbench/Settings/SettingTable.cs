@@ -78,6 +78,13 @@ public static class SettingTable
 
     public static ChoiceSetting<StrokeOrder> Order { get; } = new("order", s => s.Order, (s, v) => s with { Order = v }) { Command = "CNCORDER", Page = SettingPage.Toolpath };
 
+    public static ChoiceSetting<OrderCost> OrderCost { get; } = new("order-cost", s => s.OrderCost, (s, v) => s with { OrderCost = v }) { Command = "CNCORDERCOST", Page = SettingPage.Toolpath };
+
+    public static OptionalNumberSetting OrderSeconds { get; } = new("order-seconds", s => s.OrderSeconds, (s, v) => s with { OrderSeconds = v })
+    {
+        Unit = "s", Argument = "S", Min = 0.0, Max = 86400.0, Command = "CNCORDERTIME", Page = SettingPage.Toolpath,
+    };
+
     public static SwitchSetting KeepDuplicates { get; } = new("keep-duplicates", s => s.KeepDuplicates, (s, v) => s with { KeepDuplicates = v }) { Command = "CNCDUPLICATES", Page = SettingPage.Drawing };
 
     public static SwitchSetting RecoverArcs { get; } = new("recover-arcs", s => s.RecoverArcs, (s, v) => s with { RecoverArcs = v }) { Command = "CNCRECOVER", Page = SettingPage.Drawing };
@@ -116,7 +123,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<Setting> All { get; } =
-        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Place, Align, To, AlignTolerance, Move, Blank, Back, Cut, JoinTolerance, MaxError, CornerTolerance, FitArcs, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Scale, Mirror, Rotate, Place, Align, To, AlignTolerance, Move, Blank, Back, Cut, JoinTolerance, MaxError, CornerTolerance, FitArcs, Start, Finish, Enter, Order, OrderCost, OrderSeconds, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Operations, Tool, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The setting of a key; null when there is none.</summary>
     public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);

@@ -11,7 +11,7 @@ public static class JobStages
         new KerfStage(),
         new ShapeStage(),
         new ChainStage(),
-        new OrderStage(),
+        new OrderStage(TimeProvider.System),
         new DressStage(),
         new PathStage(),
         new MotionStage(),

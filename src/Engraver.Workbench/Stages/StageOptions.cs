@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.Settings;
@@ -33,6 +34,7 @@ public static class StageOptions
         ArcTolerance = settings.RecoverArcs ? settings.MaxErrorMm : null,
         ToolStart = settings.Start,
         Order = settings.Order,
+        ToolEnd = settings.Finish == FinishPlace.Origin ? settings.Start : null,
         Entry = Entering(drawing, settings.Enter),
         CutsHeights = settings.Machine.Height is not null,
     };

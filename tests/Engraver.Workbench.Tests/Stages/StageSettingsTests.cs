@@ -29,6 +29,7 @@ public class StageSettingsTests
         s_drawn,
         s_drawn with { MaxErrorMm = 0.05, JoinToleranceMm = 0.5 },
         s_drawn with { Machine = s_mill },
+        s_drawn with { Order = StrokeOrder.Optimal },
         s_drawn with { Kerf = KerfSide.Nesting, ToolDiameterMm = 1.0 },
         s_drawn with { Machine = s_mill, Operations = s_operations },
     ];
@@ -57,6 +58,8 @@ public class StageSettingsTests
         [SettingTable.Finish] = settings => settings with { Finish = FinishPlace.Stay },
         [SettingTable.Enter] = settings => settings with { Enter = new ContourEntry.ByPoint(new Point2D(40, 0)) },
         [SettingTable.Order] = settings => settings with { Order = StrokeOrder.Drawn },
+        [SettingTable.OrderCost] = settings => settings with { OrderCost = OrderCost.Distance },
+        [SettingTable.OrderSeconds] = settings => settings with { OrderSeconds = 0.001 },
         [SettingTable.KeepDuplicates] = settings => settings with { KeepDuplicates = true },
         [SettingTable.RecoverArcs] = settings => settings with { RecoverArcs = !settings.RecoverArcs },
         [SettingTable.Kerf] = settings => settings with { Kerf = settings.Kerf == KerfSide.Off ? KerfSide.Outside : KerfSide.Off, ToolDiameterMm = 1.0 },

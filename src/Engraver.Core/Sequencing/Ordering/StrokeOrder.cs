@@ -8,4 +8,7 @@ public enum StrokeOrder
 
     /// <summary>Always the nearest next start; contours start at the point nearest to the tool.</summary>
     Nearest,
+
+    /// <summary>The order of the least travel that a search finds, with the starts and directions of the contours.</summary>
+    Optimal,
 }

@@ -6,7 +6,7 @@ using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, reports contours, order and travel, and animates them.</summary>
+/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first or optimally, reports contours, order and travel, and animates them.</summary>
 internal sealed class AutoSequenceCommand : ICommand
 {
     public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence);
@@ -15,7 +15,7 @@ internal sealed class AutoSequenceCommand : ICommand
     {
         var drawing = context.Drawing;
         var state = context.Document.Current;
-        var settings = state.Settings with { Order = StrokeOrder.Nearest };
+        var settings = state.Settings.Order == StrokeOrder.Drawn ? state.Settings with { Order = StrokeOrder.Nearest } : state.Settings;
         var run = new StageRun(new DrawnJob(drawing, settings), cancellation);
         var ordered = run.To<OrderedJob>();
         var result = ordered.Sequence;
