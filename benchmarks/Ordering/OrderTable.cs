@@ -29,6 +29,19 @@ internal static class OrderTable
         }
     }
 
+    /// <summary>The travel of the reference solver, with ten times as many trials each time.</summary>
+    public static void WriteReference(long trials, string name)
+    {
+        var instance = OrderInstances.Make(name);
+        var (chained, shapeOf) = instance.Chain();
+        int[] order = [.. Sequencer.Order(chained, OrderInstance.Options).Strokes.Select(stroke => shapeOf[stroke.Moves[0].EntityIndex])];
+        for (var tried = trials / 100; tried <= trials; tried *= 10)
+        {
+            var travel = new ReferenceSolver(instance, order, seed: 1).Run(tried);
+            Console.WriteLine($"| {name} | {tried} | {travel:0.000} | {travel / BestKnown.Of(name):0.000} |");
+        }
+    }
+
     private static void Write(OrderInstance instance, double seconds)
     {
         var (chained, shapeOf) = instance.Chain();

@@ -51,6 +51,7 @@ internal sealed class IteratedSearch<T>
         foreach (var round in OrderSteps.Rounds(search, _tour.Count - 1, _limits.IsConstrained))
         {
             if (search.Stop.IsCancellationRequested) break;
+            if (round.IsReversed) Reverse(search.Stop);
             Vary(round, cost / _tour.Count, search);
             Improve(search.Stop);
             var now = _local.Costs.Total();
@@ -59,6 +60,12 @@ internal sealed class IteratedSearch<T>
         }
 
         return cost;
+    }
+
+    private void Reverse(CancellationToken stop)
+    {
+        _local.Reverse(1, _tour.Count - 1);
+        Improve(stop);
     }
 
     private void Improve(CancellationToken stop)

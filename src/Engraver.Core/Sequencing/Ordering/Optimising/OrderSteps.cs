@@ -9,7 +9,7 @@ internal static class OrderSteps
     /// <summary>With more strokes only the first improvement is made.</summary>
     private const int MaxVaried = 20_000;
 
-    /// <summary>The search for fewer strokes is warmed up twice.</summary>
+    /// <summary>The search for fewer strokes is also warmed up more.</summary>
     private const int MaxSmall = 200;
 
     private const int Least = 2000;
@@ -22,28 +22,34 @@ internal static class OrderSteps
     /// <summary>Whether an order of so many strokes is improved at all.</summary>
     public static bool AreSearched(OrderSearch search, int strokes) => search.Steps is { } steps ? steps > 0 : strokes <= MaxSearched;
 
-    /// <summary>The rounds of a search: one, or three for few strokes; or, of a search that runs until it is stopped, a cold one and then warmer and longer ones.</summary>
-    /// <param name="isConstrained">Some strokes have a required order: such orders need more heat to change.</param>
+    /// <summary>The rounds of a search: at most four, or, of a search that runs until it is stopped, warmer and longer ones.</summary>
+    /// <param name="isConstrained">Some strokes have a required order: such orders need more heat to change, and the reverse order is another one.</param>
     public static IEnumerable<OrderRound> Rounds(OrderSearch search, int strokes, bool isConstrained)
     {
         var (low, high) = isConstrained ? (0.3, 1.0) : (0.1, 0.3);
-        if (search.Steps is not long.MaxValue)
-        {
-            var all = search.Steps ?? (strokes > MaxVaried ? 0 : Math.Min(Most, Least + ((long)PerStroke * strokes)));
-            var isSmall = strokes <= MaxSmall;
-            yield return new OrderRound(isSmall ? all / 2 : all, low);
-            if (!isSmall) yield break;
-            yield return new OrderRound(all / 4, high);
-            yield return new OrderRound(all / 4, low);
-            yield break;
-        }
+        return search.Steps is long.MaxValue
+            ? Endless(Math.Max(Most, FirstRound * (long)strokes), low, high, isConstrained)
+            : Limited(search.Steps ?? (strokes > MaxVaried ? 0 : Math.Min(Most, Least + ((long)PerStroke * strokes))), low, high, isConstrained, strokes <= MaxSmall);
+    }
 
-        var steps = Math.Max(Most, FirstRound * (long)strokes);
-        yield return new OrderRound(steps, 0.0);
-        for (var isHigh = false; ; isHigh = !isHigh)
+    private static IEnumerable<OrderRound> Limited(long steps, double low, double high, bool isConstrained, bool isSmall)
+    {
+        var part = steps / ((isConstrained ? 2 : 1) * (isSmall ? 2 : 1));
+        yield return new OrderRound(part, low, false);
+        if (isConstrained) yield return new OrderRound(part, low, true);
+        if (!isSmall) yield break;
+        yield return new OrderRound(part, high, false);
+        if (isConstrained) yield return new OrderRound(part, high, true);
+    }
+
+    private static IEnumerable<OrderRound> Endless(long steps, double low, double high, bool isConstrained)
+    {
+        yield return new OrderRound(steps, 0.0, false);
+        if (isConstrained) yield return new OrderRound(steps, low, true);
+        for (; ; steps *= 2)
         {
-            yield return new OrderRound(steps, isHigh ? high : low);
-            if (isHigh) steps *= 2;
+            yield return new OrderRound(steps, low, false);
+            yield return new OrderRound(steps, high, isConstrained);
         }
     }
 }

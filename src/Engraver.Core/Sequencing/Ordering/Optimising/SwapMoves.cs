@@ -5,7 +5,7 @@ internal sealed class SwapMoves<T>(Tour tour, TourLimits limits, Neighbors neigh
     where T : struct, ITravelMeasure
 {
     /// <summary>Number of neighbours that are tried for each of the two new links.</summary>
-    private const int Breadth = 6;
+    private readonly int _breadth = neighbors.Capacity * 6 / 10;
 
     /// <summary>Finds the best change that links this node to one of its neighbours.</summary>
     public void Find(int a, ref TourChange best)
@@ -13,7 +13,7 @@ internal sealed class SwapMoves<T>(Tour tour, TourLimits limits, Neighbors neigh
         var b = tour.Next(a);
         var ahead = costs.Link(a, b);
         var near = neighbors.Of(a);
-        for (var i = 0; i < near.Length && i < Breadth && near[i].Cost < ahead; i++)
+        for (var i = 0; i < near.Length && i < _breadth && near[i].Cost < ahead; i++)
         {
             var c = near[i].Node;
             var d = tour.Previous(c);
@@ -27,7 +27,7 @@ internal sealed class SwapMoves<T>(Tour tour, TourLimits limits, Neighbors neigh
     {
         var near = neighbors.Of(b);
         var length = tour.StepsBetween(b, d);
-        for (var i = 0; i < near.Length && i < Breadth; i++)
+        for (var i = 0; i < near.Length && i < _breadth; i++)
         {
             var (e, cost) = near[i];
             if (open - cost <= best.Gain - MaxLinkGain(e)) continue;

@@ -10,6 +10,9 @@ internal sealed class TourKicks<T>(Tour tour, TourLimits limits, LocalSearch<T> 
     /// <summary>Where nodes have a required order, parts have up to 2, 4, ... nodes: most exchanges of long parts are not allowed.</summary>
     private const int PartSizes = 6;
 
+    /// <summary>The same for reversed parts.</summary>
+    private const int ReversalSizes = 6;
+
     /// <summary>Number of exchanges that are tried until one is allowed.</summary>
     private const int Trials = 10;
 
@@ -21,7 +24,7 @@ internal sealed class TourKicks<T>(Tour tour, TourLimits limits, LocalSearch<T> 
     public double? Kick()
     {
         if (!limits.IsConstrained) return DoubleBridge(MaxPart);
-        if (random.Below(ReversalShare) == 0) return Reverse(2 << random.Below(PartSizes));
+        if (random.Below(ReversalShare) == 0) return Reverse(2 << random.Below(ReversalSizes));
         for (var trial = 0; trial < Trials; trial++)
         {
             if (DoubleBridge(2 << random.Below(PartSizes)) is { } cost) return cost;
@@ -41,9 +44,11 @@ internal sealed class TourKicks<T>(Tour tour, TourLimits limits, LocalSearch<T> 
     /// <summary>Puts three adjacent parts in reverse order, which no single change of the local search reverts.</summary>
     private double? DoubleBridge(int longest)
     {
-        longest = Math.Min(longest, (tour.Count - 1) / 3);
-        var at = new Bridge(1 + random.Below(longest), 1 + random.Below(longest), 1 + random.Below(longest));
-        at = at with { First = random.Below(tour.Count - at.Length) };
+        var left = tour.Count - 1;
+        var first = 1 + random.Below(Math.Min(longest, left - 2));
+        var second = 1 + random.Below(Math.Min(longest, left - first - 1));
+        var third = 1 + random.Below(Math.Min(longest, left - first - second));
+        var at = new Bridge(first, second, third) { First = random.Below(tour.Count - first - second - third) };
         return limits.IsConstrained && !(limits.CanSwapRanges(at.First + 1, at.LastB, at.LastD) && limits.CanSwapRanges(at.LastB + 1, at.LastC, at.LastD)) ? null : Exchange(at);
     }
 
@@ -69,8 +74,6 @@ internal sealed class TourKicks<T>(Tour tour, TourLimits limits, LocalSearch<T> 
     {
         /// <summary>Position of the node before the parts.</summary>
         public int First { get; init; }
-
-        public int Length => B + C + D;
 
         public int LastB => First + B;
 
