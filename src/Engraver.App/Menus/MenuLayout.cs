@@ -29,7 +29,10 @@ public static class MenuLayout
                 new("Reading", ["CNCUNITS", "CNCCUT"]),
             ],
         },
-        new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "CNCORDERCOST", "CNCORDERTIME", "ENTER", "TOOLSTART", "LINK", Separator, "OPERATION", Separator, "OFFSET", "POCKET", "KERF", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCCORNER", "CNCFITARCS", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
+        new("Toolpath", ["AUTOSEQUENCE", "Menu.Order", "ENTER", "TOOLSTART", "LINK", Separator, "OPERATION", Separator, "OFFSET", "POCKET", "KERF", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCCORNER", "CNCFITARCS", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"])
+        {
+            Submenus = [new("Order", ["CNCORDER", "CNCORDERCOST", "CNCORDERTIME"])],
+        },
         new("Trajectory", ["SACEPATH", "SACEOFFSET", "SACEUNIFORMOFFSET", "SACECONSTANTOFFSETS", "SACEDEEPENGRAVING", "SACEHELICALDRILL", Separator, "SACESHOWTRAJECTORIES", "SACEEDITTRAJECTORY", "SACEUPDATETRAJECTORIES", "SACEDELETELASTTRAJECTORY", "SACEDELETEALLTRAJECTORIES", Separator, "SACESIMULATE", "SACEEXPORTTRAJECTORIES", Separator, "Menu.TrajectorySettings"])
         {
             Submenus = [new("TrajectorySettings", ["SACESETMAXERROR", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "SACECORNERS", "SACESETZPLANE"])],
