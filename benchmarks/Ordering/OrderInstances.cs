@@ -8,18 +8,23 @@ internal static class OrderInstances
 {
     private const double Pitch = 10.0;
 
+    /// <summary>Distance of the seeds of one letter from those of another.</summary>
+    private const ulong OtherSeeds = 1_000_003;
+
     public static IReadOnlyList<string> Names { get; } =
     [
         "random-20", "random-200", "clustered-200", "nested-200", "plates-200", "open-200", "text-200", "random-500", "nested-500", "random-2000", "clustered-2000",
         "nested-2000", "plates-2000", "open-2000", "text-2000", "random-10000", "nested-10000", "random-50000",
+        "plates-200b", "random-500b", "clustered-500b", "nested-500b", "random-2000b", "nested-2000b",
     ];
 
-    /// <param name="name">Kind and number of strokes.</param>
+    /// <param name="name">Kind and number of strokes, and a letter for other seeds: those with a <c>b</c> are not used to choose settings.</param>
     public static OrderInstance Make(string name)
     {
         var at = name.IndexOf('-', StringComparison.Ordinal);
-        var count = int.Parse(name[(at + 1)..], System.Globalization.CultureInfo.InvariantCulture);
-        var random = new SeededSequence((ulong)count + 7);
+        var (number, seeds) = char.IsLetter(name[^1]) ? (name[(at + 1)..^1], OtherSeeds * name[^1]) : (name[(at + 1)..], 0UL);
+        var count = int.Parse(number, System.Globalization.CultureInfo.InvariantCulture);
+        var random = new SeededSequence((ulong)count + 7 + seeds);
         return new OrderInstance(name, name[..at] switch
         {
             "random" => Spread(count, random, (x, y) => Part(new Point2D(x, y), random)),
