@@ -103,12 +103,19 @@ public sealed class CommandQueue : IAsyncDisposable
         return result is InputResult.AwaitingInput && _session.Prompt.ConfirmsReplacing ? await _session.EnterAsync("Yes", Closing).ConfigureAwait(false) : result;
     });
 
-    /// <summary>Esc. Where nothing is typed, asked, at work or selected, it ends the planning of the job.</summary>
+    /// <summary>Esc. Where nothing is typed, asked, at work or selected, it ends the search for the order, which keeps the best order found, or else the
+    /// planning of the job.</summary>
     public Task CancelAsync()
     {
         _session.TypeAhead.Flush();
-        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0 && _session.Derivation.Cancel()) _notifications.Write(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
+        if (!IsBusy && _session.Prompt.Command is null && _session.Document.Current.Selection.Count == 0) EndPlanning();
         return Cancelled = IsBusy ? Task.Run(_session.CancelAsync) : Enqueue(CancelNowAsync);
+    }
+
+    private void EndPlanning()
+    {
+        if (_session.Derivation.StopOrderSearch()) _notifications.Write(MessageKind.Note, Texts.Text.Get("Derivation.OrderKept"));
+        else if (_session.Derivation.Cancel()) _notifications.Write(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
     }
 
     /// <summary>Ends the command beside the one at work, which continues, and drops typed inputs for it that have not reached it yet; Esc has held the

@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.SerialTexts;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -96,6 +97,13 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
+    /// <summary>Ends the search for the order in the running computation, which continues with the best order that was found.</summary>
+    /// <returns>False if it does not search, or if the search was ended before.</returns>
+    public bool StopOrderSearch()
+    {
+        lock (_guard) return _running is { } running && running.OrderStop.TryStop();
+    }
+
     /// <summary>Cancels the running computation.</summary>
     /// <returns>False if there is none.</returns>
     public bool Cancel()
@@ -134,17 +142,17 @@ public sealed class DerivationSession : IDisposable
     {
         _running?.Cancel.Cancel();
         _cancelledWork = null;
-        var cancel = new CancellationTokenSource();
+        var (cancel, orderStop) = (new CancellationTokenSource(), new OrderStop());
         var known = IsOf(Current, wanted.State, wanted.Strategy, wanted.Plate) ? Current : null;
         var before = known is null && Prerequisite?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
         var work = Task.Run(
             async () =>
             {
                 await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.CreateReporter(cancel.Token), wanted.Plate)).WithLine(wanted.Line);
+                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.CreateReporter(cancel.Token), wanted.Plate, orderStop)).WithLine(wanted.Line);
             },
             cancel.Token);
-        _running = new Derivation(wanted, cancel, FinishAsync(work, cancel));
+        _running = new Derivation(wanted, cancel, orderStop, FinishAsync(work, cancel));
     }
 
     private async Task<DerivedDocument> FinishAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
@@ -190,5 +198,5 @@ public sealed class DerivationSession : IDisposable
         else if (_running is null) Progress.End();
     }
 
-    private sealed record Derivation(DerivedDocument Wanted, CancellationTokenSource Cancel, Task<DerivedDocument> Result);
+    private sealed record Derivation(DerivedDocument Wanted, CancellationTokenSource Cancel, OrderStop OrderStop, Task<DerivedDocument> Result);
 }

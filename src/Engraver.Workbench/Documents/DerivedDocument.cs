@@ -57,14 +57,16 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
 
     /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
     /// <param name="plate">The plate to show; null for a drawing without plates.</param>
+    /// <param name="orderStop">Ends the search for the order early; null if nobody can.</param>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null, Plate? plate = null)
+    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null, Plate? plate = null, OrderStop? orderStop = null)
     {
         var derived = new DerivedDocument(state, strategy) { Plate = plate };
         if (state.Drawing is not { } drawing) return derived;
         try
         {
-            var planned = new StageRun(PlateJob.Drawn(drawing, state.Settings, strategy.Style, plate), cancellation, progress).To<PlannedJob>();
+            var drawn = PlateJob.Drawn(drawing, state.Settings, strategy.Style, plate) with { OrderStop = orderStop };
+            var planned = new StageRun(drawn, cancellation, progress).To<PlannedJob>();
             var job = PreparedJob.From(planned) with { Plate = plate };
             return derived with
             {

@@ -19,6 +19,9 @@ public record DrawnJob(Drawing Drawing, DrawingSettings Settings, MotionStyle St
     /// <summary>What the fields in its texts stand for.</summary>
     public PlateValues Values { get; init; } = PlateValues.None;
 
+    /// <summary>Ends the search for its order early; null if nobody can.</summary>
+    public OrderStop? OrderStop { get; init; }
+
     /// <summary>Findings that are not in the result of a stage, in the order of their report.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 }

@@ -10,8 +10,10 @@ namespace Engraver.Workbench.Stages;
 /// <param name="count">Number of searches.</param>
 /// <param name="time">Ends a search.</param>
 /// <param name="cancellation">Ends all of them; each keeps its best order.</param>
-internal sealed class OrderSearches(DrawingSettings settings, int count, TimeProvider time, CancellationToken cancellation) : IDisposable
+/// <param name="stop">Ends the searches for seconds only; null if nobody can.</param>
+internal sealed class OrderSearches(DrawingSettings settings, int count, TimeProvider time, CancellationToken cancellation, OrderStop? stop = null) : IDisposable
 {
+    private readonly CancellationTokenSource _stopped = new();
     private readonly List<CancellationTokenSource> _sources = [];
 
     /// <summary>Starts the time of the next search.</summary>
@@ -20,14 +22,17 @@ internal sealed class OrderSearches(DrawingSettings settings, int count, TimePro
         var search = new OrderSearch { Cost = CostOf(settings), Stop = cancellation };
         if (settings.OrderSeconds <= 0.0 || settings.Order != StrokeOrder.Optimal) return search;
         var limit = new CancellationTokenSource(TimeSpan.FromSeconds(settings.OrderSeconds / Math.Max(1, count)), time);
-        var both = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, cancellation);
-        _sources.AddRange([both, limit]);
-        return search with { Steps = long.MaxValue, Searches = Environment.ProcessorCount, Stop = both.Token };
+        var any = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, cancellation, _stopped.Token);
+        _sources.AddRange([any, limit]);
+        stop?.Watch(_stopped);
+        return search with { Steps = long.MaxValue, Searches = Environment.ProcessorCount, Stop = any.Token };
     }
 
     public void Dispose()
     {
+        stop?.Watch(null);
         foreach (var source in _sources) source.Dispose();
+        _stopped.Dispose();
     }
 
     /// <summary>The cost of a rapid.</summary>

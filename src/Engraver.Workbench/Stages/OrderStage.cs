@@ -16,7 +16,7 @@ internal sealed class OrderStage(TimeProvider time) : JobStage<ChainedJob, Order
 
     protected override OrderedJob Execute(ChainedJob job, CancellationToken cancellation)
     {
-        using var searches = new OrderSearches(job.Settings, Math.Max(1, job.Assignment is null ? 1 : job.Shapes.Count), time, cancellation);
+        using var searches = new OrderSearches(job.Settings, Math.Max(1, job.Assignment is null ? 1 : job.Shapes.Count), time, cancellation, job.OrderStop);
         if (job.Assignment is null) return new OrderedJob(job, Sequencer.Order(job.Chained, StageOptions.SequencingFor(job) with { Search = searches.Next() }));
         var options = StageOptions.SequencingFor(job.Drawing, job.Settings) with { CutsHeights = false, Entry = null };
         var drawn = Sequencer.Order(job.Chained, StageOptions.SequencingFor(job) with { Search = new OrderSearch { Steps = 0 } }); // the operations are cut in their own order

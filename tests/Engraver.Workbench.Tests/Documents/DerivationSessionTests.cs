@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -60,6 +61,22 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.True(_derivation.IsCancelled);
         _derivation.Prerequisite = null;
         Assert.Equal(2, (await _derivation.ForCurrentAsync(CancellationToken.None)).Analysed!.Count);
+    }
+
+    [Fact]
+    public async Task A_search_for_the_order_is_ended_and_the_job_has_the_best_order_found()
+    {
+        var builder = new DrawingBuilder();
+        for (var line = 0; line < 30; line++) builder.Line(line * 7 % 30 * 10, 0, (line * 7 % 30 * 10) + 3, 5);
+        _document.Commit("OPEN", new DocumentState { Drawing = builder.Build(), Settings = new DrawingSettings { Order = StrokeOrder.Optimal, OrderSeconds = 86_400 } });
+        Assert.False(_derivation.StopOrderSearch());
+        var derived = _derivation.ForCurrentAsync(CancellationToken.None);
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        while (!_derivation.StopOrderSearch()) await Task.Run(limit.Token.ThrowIfCancellationRequested, CancellationToken.None);
+
+        Assert.Equal(30, (await derived.WaitAsync(TimeSpan.FromSeconds(60))).Sequence!.Strokes.Count);
+        Assert.False(_derivation.IsCancelled);
+        Assert.True(_derivation.IsCurrent);
     }
 
     [Fact]

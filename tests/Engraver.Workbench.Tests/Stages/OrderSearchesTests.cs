@@ -51,6 +51,36 @@ public class OrderSearchesTests
     }
 
     [Fact]
+    public void The_operator_ends_the_searches_of_seconds_once_and_the_job_continues()
+    {
+        var stop = new OrderStop();
+        Assert.False(stop.TryStop());
+        using (var searches = new OrderSearches(s_optimal with { OrderSeconds = 10.0 }, 2, new ManualTimeProvider(), CancellationToken.None, stop))
+        {
+            var first = searches.Next();
+            Assert.False(first.Stop.IsCancellationRequested);
+            Assert.True(stop.TryStop());
+            Assert.True(first.Stop.IsCancellationRequested);
+            Assert.True(searches.Next().Stop.IsCancellationRequested);
+            Assert.False(stop.TryStop());
+        }
+
+        Assert.False(stop.TryStop());
+    }
+
+    [Fact]
+    public void The_operator_does_not_end_a_search_of_steps()
+    {
+        var stop = new OrderStop();
+        using var searches = new OrderSearches(s_optimal, 1, new ManualTimeProvider(), CancellationToken.None, stop);
+
+        var search = searches.Next();
+
+        Assert.False(stop.TryStop());
+        Assert.False(search.Stop.IsCancellationRequested);
+    }
+
+    [Fact]
     public void The_cost_is_the_time_of_each_axis_of_the_machine_or_the_distance()
     {
         var machine = new MachineProfile { Axes = MachineAxes.FromScale(1000.0, -500.0), RapidMmPerMinute = 3000.0, AccelerationCounts = 256_000, AccelerationY = 64_000 };
