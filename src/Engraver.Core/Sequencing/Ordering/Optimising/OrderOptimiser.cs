@@ -20,12 +20,18 @@ internal static class OrderOptimiser
     {
         var neighbors = Neighbors.Find(problem, measure);
         var (tours, costs) = (new Tour[search.Searches], new double[search.Searches]);
-        Parallel.For(0, search.Searches, seed =>
+
+        // On threads of their own: a search takes its core for seconds, and a job that runs meanwhile needs those of the pool.
+        Task[] others = [.. Enumerable.Range(1, search.Searches - 1).Select(seed => Task.Factory.StartNew(() => Run(seed), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default))];
+        Run(0);
+        Task.WaitAll(others);
+        return OrderOf(tours[Array.IndexOf(costs, costs.Min())]);
+
+        void Run(int seed)
         {
             var one = new IteratedSearch<T>(problem, neighbors, measure, (ulong)seed);
             (costs[seed], tours[seed]) = (one.Run(seed == 0 ? search : search with { Progress = null }), one.Tour);
-        });
-        return OrderOf(tours[Array.IndexOf(costs, costs.Min())]);
+        }
     }
 
     /// <summary>The nodes from the start of the tool to its end.</summary>
