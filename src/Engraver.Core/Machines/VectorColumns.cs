@@ -37,7 +37,7 @@ public sealed class VectorColumns(int segments)
     /// <summary>Begins a sequence of the segments that are added next; it begins where the last one of its stroke ends.</summary>
     public void BeginSequence() => _sequences.Add(new SequenceCells { First = _segments.Count });
 
-    /// <summary>Ends the sequence that was begun last.</summary>
+    /// <summary>Ends the sequence that was started last.</summary>
     /// <param name="speed">As <see cref="VectorSequence.Speed"/>.</param>
     /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
     /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
@@ -99,7 +99,7 @@ public sealed class VectorColumns(int segments)
 
     internal CountsPoint EndOf(int segment) => _segments[segment].End;
 
-    /// <summary>Adds a segment to the sequence that was begun last.</summary>
+    /// <summary>Adds a segment to the sequence that was started last.</summary>
     public void Add(in VectorSegment segment)
     {
         var arc = segment.Kind == VectorSegmentKind.Line ? NoArc : _arcs.Count;

@@ -3,7 +3,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>Sends heartbeats beside the job: where a busy computer delays the job between two commands, the link is free and the watchdog must not trip.</summary>
+/// <summary>Sends heartbeats beside the job: where a busy computer delays the job between two commands, the link is free and the watchdog must not
+/// trip.</summary>
 /// <remarks>It ends with the process, and it stops when the job itself has not acted for some seconds (<see cref="Programs.Resident.Heartbeat"/>).</remarks>
 internal sealed class HeartbeatKeeper : IAsyncDisposable
 {

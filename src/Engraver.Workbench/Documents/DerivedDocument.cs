@@ -57,7 +57,7 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
 
     /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
     /// <param name="plate">The plate to show; null for a drawing without plates.</param>
-    /// <param name="orderStop">Ends the search for the order early; null if nobody can.</param>
+    /// <param name="orderStop">Ends the search for the order early; null if it cannot be ended.</param>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null, Plate? plate = null, OrderStop? orderStop = null)
     {

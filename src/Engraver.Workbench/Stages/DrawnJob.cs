@@ -19,7 +19,7 @@ public record DrawnJob(Drawing Drawing, DrawingSettings Settings, MotionStyle St
     /// <summary>What the fields in its texts stand for.</summary>
     public PlateValues Values { get; init; } = PlateValues.None;
 
-    /// <summary>Ends the search for its order early; null if nobody can.</summary>
+    /// <summary>Ends the search for its order early; null if it cannot be ended.</summary>
     public OrderStop? OrderStop { get; init; }
 
     /// <summary>Findings that are not in the result of a stage, in the order of their report.</summary>

@@ -10,7 +10,7 @@ namespace Engraver.Workbench.Stages;
 /// <param name="count">Number of searches.</param>
 /// <param name="time">Ends a search.</param>
 /// <param name="cancellation">Ends all of them; each keeps its best order.</param>
-/// <param name="stop">Ends the searches for seconds only; null if nobody can.</param>
+/// <param name="stop">Ends the searches for seconds only; null if it cannot be ended.</param>
 internal sealed class OrderSearches(DrawingSettings settings, int count, TimeProvider time, CancellationToken cancellation, OrderStop? stop = null) : IDisposable
 {
     private readonly CancellationTokenSource _stopped = new();

@@ -51,8 +51,9 @@ public sealed class SpeedPlanner
     private PathDirection _last;
     private double _fastest;
 
-    /// <summary>While it is planned squares of speeds: on a segment, up to which the speed may change on it, and at the joint before it. Once it is planned what is
-    /// commanded: a speed from the start of each segment, the length before its end from which a second one holds, and that second speed or 0.</summary>
+    /// <summary>While it is planned squares of speeds: on a segment, up to which the speed may change on it, and at the joint before it. Once it is planned
+    /// what is commanded: a speed from the start of each segment, the length before its end from which a second one holds, and that second speed or
+    /// 0.</summary>
     private double[] _hold = [];
     private double[] _ramp = [];
     private double[] _joint = [];

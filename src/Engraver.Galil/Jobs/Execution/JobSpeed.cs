@@ -3,6 +3,7 @@ using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Execution;
 
@@ -42,14 +43,15 @@ internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobCon
     /// <param name="hostFeeds">The host sends the segments while they are cut: a long run of short ones has a maximum speed.</param>
     public void LimitBy(IReadOnlyList<VectorSequence> sequences, bool hostFeeds) => LimitBy(sequences, hostFeeds, 1.0);
 
-    /// <summary>This sequence is run from now on. Where more than the planned speed is requested and VR may not bring it, its speeds are planned again.</summary>
+    /// <summary>This sequence is run from now on. Where more than the planned speed is requested and VR may not bring it, its speeds are planned
+    /// again.</summary>
     /// <param name="hostFeeds">As for <see cref="LimitBy(IReadOnlyList{VectorSequence}, bool)"/>.</param>
     /// <returns>What is to be sent.</returns>
     public CutSequence Plan(VectorSequence sequence, bool hostFeeds)
     {
         LimitBy([sequence], hostFeeds);
         if (control.FeedRatio <= 1.0 || _most.Value >= control.FeedRatio) return CutSequence.AsPlanned(sequence);
-        var cut = CutSequence.Planned(sequence, machine.Profile, control.FeedRatio, program.LeastAcceleration, hostFeeds ? machine.Line : null);
+        var cut = CutSequence.Planned(sequence, machine.Profile, control.FeedRatio, program.LeastAcceleration, hostFeeds && machine.Line is { } line ? planned => LinkFeedLimit.FastestSpeed(planned, line, planned.AccelerationOn(machine.Profile)) : null);
         LimitBy([cut.Sequence], hostFeeds, cut.Ratio);
         return cut;
     }

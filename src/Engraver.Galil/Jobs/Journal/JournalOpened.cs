@@ -10,7 +10,7 @@ public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Cal
 {
     public string Kind { get; } = "opened";
 
-    /// <summary>Segments that the controller counts after which the same segment of the program goes on, in order; null for none.</summary>
+    /// <summary>Segments that the controller counts after which the same segment of the program continues, in order; null for none.</summary>
     public IReadOnlyList<int>? Divided { get; init; }
 
     /// <summary>Segments of the program that are done when the controller has counted this many of its sequence.</summary>

@@ -2,7 +2,6 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Motion.Planning;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Programs.Generation;
 
@@ -20,7 +19,7 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
     /// <summary>As it is in the program.</summary>
     private VectorSequence Program { get; init; } = Sequence;
 
-    /// <summary>Segments that are sent after which the same segment of the program goes on, in order.</summary>
+    /// <summary>Segments that are sent after which the same segment of the program continues, in order.</summary>
     public IReadOnlyList<int> Divided { get; private init; } = [];
 
     /// <summary>As it is in the program.</summary>
@@ -31,9 +30,9 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
     /// <param name="profile">The machine.</param>
     /// <param name="ratio">Factor of the feed.</param>
     /// <param name="least">VA and VD are not smaller, counts/s2.</param>
-    /// <param name="line">The serial line that has to carry the segments while they are cut; null for a network.</param>
+    /// <param name="carried">The highest speed at which the link carries the segments while they are cut, counts/s; null for no such limit.</param>
     /// <returns>As it is in the program where no feed is known or a higher one saves no time.</returns>
-    public static CutSequence Planned(VectorSequence sequence, MachineProfile profile, double ratio, int least, SerialLine? line)
+    public static CutSequence Planned(VectorSequence sequence, MachineProfile profile, double ratio, int least, Func<VectorSequence, int>? carried)
     {
         if (sequence.Feed is not { } feed || sequence.ChangesHeight) return AsPlanned(sequence);
         var planner = new SpeedPlanner(PathLimits.Of(profile), DmcLimits.AccelerationStep);
@@ -48,7 +47,7 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
             segments.Add(segment);
         });
         var planned = sequence with { Speed = division.Fastest, Acceleration = planner.Acceleration, Segments = division.IsUniform ? [.. segments.Select(segment => segment with { Speed = 0 })] : segments };
-        if (line is not null) planned = planned.LimitedTo(LinkFeedLimit.FastestSpeed(planned, line, planner.Acceleration));
+        if (carried is not null) planned = planned.LimitedTo(carried(planned));
         return SequenceProfile.SecondsOf(planned, profile) > (1.0 - LeastGain) * SequenceProfile.SecondsOf(sequence, profile)
             ? AsPlanned(sequence)
             : new CutSequence(planned, ratio) { Program = sequence, Divided = divided };
@@ -74,7 +73,7 @@ internal sealed record CutSequence(VectorSequence Sequence, double Ratio)
         return sent - low;
     }
 
-    /// <summary>The segment of the program that a segment ends; null where it goes on with the next one.</summary>
+    /// <summary>The segment of the program that a segment ends; null where it continues with the next one.</summary>
     /// <param name="index">Of the segment as it is sent.</param>
     public VectorSegment? Ended(int index) => WholeAmong(index + 1) is var whole && whole > WholeAmong(index) ? Program.Segments[whole - 1] : null;
 

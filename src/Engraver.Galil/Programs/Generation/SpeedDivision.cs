@@ -19,7 +19,7 @@ internal sealed class SpeedDivision(SpeedPlanner planner, AngleQuantum quantum)
 
     /// <param name="segments">As they were planned.</param>
     /// <param name="start">Where the first of them begins.</param>
-    /// <param name="add">Receives each segment as it is sent, and whether the same segment goes on after it.</param>
+    /// <param name="add">Receives each segment as it is sent, and whether the same segment continues after it.</param>
     public void Divide(IReadOnlyList<VectorSegment> segments, CountsPoint start, Action<VectorSegment, bool> add)
     {
         (_slowest, Fastest) = (int.MaxValue, 0);

@@ -101,7 +101,8 @@ public sealed class InterruptionTests : IDisposable
     /// previous one ended, and sequences have random lengths. An arc is followed by a line, which ends on whole counts: the generator, which is not used here,
     /// computes the ends of a chain of arcs.</summary>
     /// <remarks>If an axis moves the tool, lines may rise or fall; such a sequence has no arcs.</remarks>
-    /// <param name="feed">Counts/s, where an override above it plans the speeds again; the bends allow less than twice of it. Null: 20000, not known to the job.</param>
+    /// <param name="feed">Counts/s, where an override above it plans the speeds again; the bends allow less than twice of it. Null: 20000, not known to the
+    /// job.</param>
     private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile, int? feed)
     {
         var strokes = new List<MotionStroke>();

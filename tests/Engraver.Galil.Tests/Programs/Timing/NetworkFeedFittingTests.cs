@@ -7,7 +7,7 @@ using Engraver.Galil.Tests.Jobs;
 
 namespace Engraver.Galil.Tests.Programs.Timing;
 
-/// <summary>A network that is slower than the plan assumes lowers the feed of the sequences that need it, and a warning tells by how much.</summary>
+/// <summary>A network that is slower than the plan assumes lowers the feed of the sequences that need it, and a warning states by how much.</summary>
 public class NetworkFeedFittingTests
 {
     /// <summary>60 counts take 3 ms at 20,000 counts/s, and a segment needs 1.08 exchanges.</summary>

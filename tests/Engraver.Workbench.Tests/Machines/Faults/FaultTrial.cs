@@ -47,7 +47,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// part is spoiled.</summary>
     private bool MayLoseSteps => one is { Machine: MachineKind.Stepper, Fault.Kind: FaultKind.Jam };
 
-    /// <summary>A tool axis that is jammed for a short time while the others stand cuts nothing wrong.</summary>
+    /// <summary>A tool axis that is jammed for a short time while the others are at rest cuts nothing wrong.</summary>
     private bool IsOfHeight => one.Fault is { Kind: FaultKind.Jam, Axis: "C" };
 
     /// <summary>Maximum cut length of all runs of the case, counts.</summary>
