@@ -87,6 +87,7 @@ public sealed class GalilConnection : IMachineConnection
         ArgumentNullException.ThrowIfNull(program);
         if (JobModes.Of(strategy) != JobMode.Stream || !program.Strokes.Any(stroke => stroke.Sequences.Any(sequence => FeedLimit.IsNeeded(sequence.Segments.Count)))) return new LinkFeedFit(program, []);
         var measured = await RoundTrip.MeasureAsync(_session.Commands, _session.Time, cancellation).ConfigureAwait(false);
+        _session.ExchangeSeconds = measured;
         return _session.Line is { } line
             ? LinkFeedFitting.Create(program, line with { TurnaroundSeconds = Math.Max(line.TurnaroundSeconds, measured) }, sourceOf)
             : NetworkFeedFitting.Create(program, measured, sourceOf);

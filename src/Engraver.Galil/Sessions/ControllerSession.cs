@@ -42,6 +42,9 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The serial line for everything, including the stop; null for a link with two handles.</summary>
     public SerialLine? Line => _commands.Line;
 
+    /// <summary>Measured time of an exchange, seconds (<see cref="RoundTrip"/>); null before it was measured.</summary>
+    public double? ExchangeSeconds { get; set; }
+
     /// <summary>The handle for commands; the second handle when the link of the first is lost and the second still works.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 

@@ -51,7 +51,7 @@ internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobCon
     {
         LimitBy([sequence], hostFeeds);
         if (control.FeedRatio <= 1.0 || _most.Value >= control.FeedRatio) return CutSequence.AsPlanned(sequence);
-        var cut = CutSequence.Planned(sequence, machine.Profile, control.FeedRatio, program.LeastAcceleration, hostFeeds && machine.Line is { } line ? planned => LinkFeedLimit.FastestSpeed(planned, line, planned.AccelerationOn(machine.Profile)) : null);
+        var cut = CutSequence.Planned(sequence, machine.Profile, control.FeedRatio, program.LeastAcceleration, hostFeeds ? SpeedOfLink : null);
         LimitBy([cut.Sequence], hostFeeds, cut.Ratio);
         return cut;
     }
@@ -61,8 +61,16 @@ internal sealed class JobSpeed(JobMachine machine, MotionProgram program, JobCon
         _planned = planned;
         _most = new Lazy<double>(() => planned * Math.Min(
             SpeedHeadroom.Of(sequences, machine.Profile, DmcLimits.FastestSpeed, JobControl.FeedRange.Max),
-            hostFeeds ? sequences.Min(sequence => FeedLimit.Headroom([.. sequence.Segments.Select(segment => segment.Length)], sequence.Speed)) : JobControl.FeedRange.Max));
+            hostFeeds ? sequences.Min(sequence => FeedLimit.Headroom([.. sequence.Segments.Select(segment => segment.Length)], sequence.Speed, SecondsPerSegment)) : JobControl.FeedRange.Max));
     }
+
+    /// <summary>Time of a segment on this link, seconds: as planned, or longer where a network was measured to be slower.</summary>
+    private double SecondsPerSegment => machine.Line is null && machine.Session.ExchangeSeconds is { } seconds ? Math.Max(FeedLimit.SecondsPerSegment, FeedLimit.ExchangesPerSegment * seconds) : FeedLimit.SecondsPerSegment;
+
+    /// <summary>The highest speed of a sequence at which the link carries its segments.</summary>
+    private int SpeedOfLink(VectorSequence planned) => machine.Line is { } line
+        ? LinkFeedLimit.FastestSpeed(planned, line, planned.AccelerationOn(machine.Profile))
+        : NetworkFeedFitting.SlowestOf(planned, SecondsPerSegment)?.Speed ?? planned.Speed;
 
     /// <summary>SP of one axis under the rapid override.</summary>
     public int RapidSpeed(MachineAxis axis) => Math.Max(DmcLimits.SlowestSpeed, 2 * (int)(machine.Profile.RapidSpeed(axis) * control.RapidRatio / 2.0));

@@ -43,5 +43,6 @@ internal static class FeedLimit
     }
 
     /// <summary>The factor by which the planned speeds of a sequence may be raised; 1 at least.</summary>
-    public static double Headroom(IReadOnlyList<double> lengths, int speed) => Of(lengths) is { } most ? Math.Max(1.0, most.Min() / (double)speed) : double.PositiveInfinity;
+    /// <param name="secondsPerSegment">As for <see cref="Of"/>.</param>
+    public static double Headroom(IReadOnlyList<double> lengths, int speed, double secondsPerSegment) => Of(lengths, secondsPerSegment) is { } most ? Math.Max(1.0, most.Min() / (double)speed) : double.PositiveInfinity;
 }

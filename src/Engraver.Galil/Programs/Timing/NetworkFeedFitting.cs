@@ -35,7 +35,8 @@ internal static class NetworkFeedFitting
     private static int Asked(VectorSequence sequence) => sequence.Feed ?? sequence.Speed;
 
     /// <summary>The lowest of the speeds at which the segments can be sent, among those that are planned faster; null where none is.</summary>
-    private static (int Speed, int Segment)? SlowestOf(VectorSequence sequence, double perSegment)
+    /// <param name="perSegment">Time of a segment, seconds.</param>
+    public static (int Speed, int Segment)? SlowestOf(VectorSequence sequence, double perSegment)
     {
         if (FeedLimit.Of([.. sequence.Segments.Select(segment => segment.Length)], perSegment) is not { } sent) return null;
         var slowest = default((int Speed, int Segment)?);

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Galil.Jobs;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Sessions;
@@ -43,6 +44,24 @@ public class NetworkFeedFittingTests
         var slowed = program with { Strokes = [.. program.Strokes.Select(stroke => stroke with { Sequences = [.. stroke.Sequences.Select(sequence => sequence with { Feed = 40000 })] })] };
 
         Assert.Contains("At 2400 mm/min the path needs 667", Assert.Single(NetworkFeedFitting.Create(slowed, 0.0055555, null).Diagnostics).Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>An override is no way round it: on a network that was measured to need 10 ms for an exchange, 60 counts need 10.8 ms.</summary>
+    [Fact]
+    public async Task An_override_does_not_exceed_what_the_measured_network_carries()
+    {
+        await using var bench = new SimulatedBench();
+        await using var session = await bench.OpenAsync();
+        session.ExchangeSeconds = 0.01;
+        var program = NetworkFeedFitting.Create(MotionPrograms.ShortLines(700), 0.01, null).Program;
+        var fastest = 0.0;
+        var options = SimulatedBench.Job with { Strategy = JobMode.Stream.Strategy(), Control = new JobControl { FeedRatio = 2.0 } };
+
+        var result = await JobRunner.RunAsync(program, session, options, new CancelWhen(now => (fastest = Math.Max(fastest, now.IsOnPath ? now.FeedRatio : 0.0)) < 0.0, () => { }), CancellationToken.None);
+
+        Assert.Equal(JobOutcome.Complete, result.Outcome);
+        Assert.InRange(fastest, 1.0, 1.05);
+        Assert.InRange(result.Seconds, 700.0 * 60.0 / 5560.0, double.MaxValue);
     }
 
     [Fact]
