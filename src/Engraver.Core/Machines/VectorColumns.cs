@@ -2,13 +2,14 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 20 for a sequence, 56 for a stroke. Objects are
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 16 for a sequence, 56 for a stroke. Objects are
 /// created only while they are read.</summary>
 /// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
 /// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
 public sealed class VectorColumns(int segments)
 {
     private const int NoArc = -1;
+    private const int HeightChanges = -1;
     private readonly List<SegmentCells> _segments = new(segments);
     private readonly List<ArcCells> _arcs = [];
     private readonly List<SequenceCells> _sequences = [];
@@ -25,7 +26,7 @@ public sealed class VectorColumns(int segments)
     /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
     /// <param name="cut">At least one.</param>
     /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
-    /// <param name="feed">As <see cref="VectorSequence.Feed"/>.</param>
+    /// <param name="feed">As <see cref="VectorSequence.Feed"/>; not kept where heights change.</param>
     public void Append(int speed, int acceleration, IReadOnlyList<VectorSegment> cut, bool changesHeight, int? feed = null)
     {
         ArgumentNullException.ThrowIfNull(cut);
@@ -41,12 +42,12 @@ public sealed class VectorColumns(int segments)
     /// <param name="speed">As <see cref="VectorSequence.Speed"/>.</param>
     /// <param name="acceleration">As <see cref="VectorSequence.Acceleration"/>.</param>
     /// <param name="changesHeight">As <see cref="VectorSequence.ChangesHeight"/>.</param>
-    /// <param name="feed">As <see cref="VectorSequence.Feed"/>.</param>
+    /// <param name="feed">As <see cref="VectorSequence.Feed"/>; not kept where heights change.</param>
     /// <param name="isUniform">Every segment has this speed, and states none of its own.</param>
     public void EndSequence(int speed, int acceleration, bool changesHeight, int? feed, bool isUniform)
     {
         var first = _sequences[^1].First;
-        _sequences[^1] = new SequenceCells { First = first, Speed = speed, Acceleration = acceleration, Feed = feed ?? 0, ChangesHeight = changesHeight };
+        _sequences[^1] = new SequenceCells { First = first, Speed = speed, Acceleration = acceleration, Feed = changesHeight ? HeightChanges : feed ?? 0 };
         if (!isUniform) return;
         foreach (ref var segment in CollectionsMarshal.AsSpan(_segments)[first..]) segment.Speed = 0;
     }
@@ -88,7 +89,7 @@ public sealed class VectorColumns(int segments)
     internal VectorSequence Sequence(int sequence, CountsPoint start, int end) =>
         new(start, _sequences[sequence].Speed, new SequenceSegments(this, _sequences[sequence].First, end)) 
         {
-            ChangesHeight = _sequences[sequence].ChangesHeight,
+            ChangesHeight = _sequences[sequence].Feed == HeightChanges,
             Acceleration = _sequences[sequence].Acceleration,
             Feed = _sequences[sequence].Feed > 0 ? _sequences[sequence].Feed : null,
         };
@@ -141,8 +142,9 @@ public sealed class VectorColumns(int segments)
         public int First;
         public int Speed;
         public int Acceleration;
+
+        /// <summary>0 where it is not known, <see cref="HeightChanges"/> where heights change.</summary>
         public int Feed;
-        public bool ChangesHeight;
     }
 }
 

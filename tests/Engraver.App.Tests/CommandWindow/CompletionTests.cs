@@ -25,7 +25,7 @@ public sealed class CompletionTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Hands.Type("order");
 
-        Assert.Equal(["CNCORDER"], here.Window.Model.Command.Suggestions.Select(found => found.Text));
+        Assert.Equal(["CNCORDER", "CNCORDERCOST", "CNCORDERTIME"], here.Window.Model.Command.Suggestions.Select(found => found.Text));
         here.Hands.Press(Key.Escape);
         here.Hands.Type("over");
         Assert.Equal(["OVERKILL", "CNCOVERRIDE", "CNCRECOVER"], here.Window.Model.Command.Suggestions.Where(found => found.Alias is null).Select(found => found.Text));

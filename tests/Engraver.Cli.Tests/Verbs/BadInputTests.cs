@@ -184,7 +184,7 @@ public class BadInputTests
     [InlineData("info", "FILE", "--join-tolerance", "-1")]
     [InlineData("info", "FILE", "--max-error", "0")]
     [InlineData("info", "FILE", "--units", "furlong")]
-    [InlineData("sequence", "FILE", "--order", "optimal")]
+    [InlineData("sequence", "FILE", "--order", "shortest")]
     [InlineData("sequence", "FILE", "--start", "1;2")]
     [InlineData("sequence", "FILE", "--enter", "xyz")]
     [InlineData("table", "FILE", "--format", "xml")]

@@ -46,7 +46,7 @@ public class NetworkFeedFittingTests
         Assert.Contains("At 2400 mm/min the path needs 667", Assert.Single(NetworkFeedFitting.Create(slowed, 0.0055555, null).Diagnostics).Message, StringComparison.Ordinal);
     }
 
-    /// <summary>An override is no way round it: on a network that was measured to need 10 ms for an exchange, 60 counts need 10.8 ms.</summary>
+    /// <summary>The limit holds for an override too: on a network that was measured to need 10 ms for an exchange, 60 counts need 10.8 ms.</summary>
     [Fact]
     public async Task An_override_does_not_exceed_what_the_measured_network_carries()
     {
